@@ -1,0 +1,49 @@
+# One set of language, warning and floating-point rules for every target of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(citrine_rules INTERFACE)
+target_include_directories(citrine_rules INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(citrine_rules INTERFACE
+  -march=x86-64-v3 -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-sign-conversion -Werror)
+if(CITRINE_SANITIZE)
+  target_compile_options(citrine_rules INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  target_link_options(citrine_rules INTERFACE -fsanitize=address,undefined)
+endif()
+
+# citrine_library(<name> SOURCES a.cpp... [LINKS public targets...] [PRIVATE_LINKS targets...])
+function(citrine_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC citrine_rules ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
+endfunction()
+
+# citrine_module(<name> SOURCES x_module.cpp... LINKS targets...): library <name>_module and executable <name> from main.cpp
+function(citrine_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  citrine_library(${name}_module SOURCES ${arg_SOURCES} LINKS ${arg_LINKS} citrine_runtime)
+  add_executable(${name} main.cpp)
+  target_link_libraries(${name} PRIVATE ${name}_module)
+endfunction()
+
+# citrine_test(<name> LABEL unit SOURCES x_test.cpp... LINKS targets...): one GoogleTest program, each of its tests a CTest
+include(GoogleTest)
+function(citrine_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE citrine_rules ${arg_LINKS} GTest::gmock GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE CITRINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CITRINE_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
+  gtest_discover_tests(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+endfunction()

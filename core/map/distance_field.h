@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/grid/voxel_grid.h"
+
+namespace citrine {
+
+/// Exact Euclidean distance from every voxel centre to the nearest site centre, truncated at a radius.
+///
+/// Kept as squared distance in voxels (u16); equal to brute force, full or incremental. Separable lower envelope after
+/// Felzenszwalb & Huttenlocher (2012), here as windowed minima over 16 lanes.
+class DistanceField {
+ public:
+  DistanceField() = default;
+  /// @param radius_vox distances at or beyond it read as it
+  DistanceField(const VoxelGrid& grid, int radius_vox);
+
+  /// Recomputes whatever a change of sites inside [min, max) can have changed.
+  /// @param is_site one byte a voxel over the whole grid, nonzero at sites
+  void Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min, const VoxelIndex& max);
+
+  /// [m] distance at a voxel.
+  float At(std::size_t linear) const { return metres_[squared_[linear]]; }
+  std::uint16_t squared_vox(std::size_t linear) const { return squared_[linear]; }
+
+  /// [m] distance at a point, trilinear between voxel centres; outside the grid that of the nearest voxel.
+  double Interpolate(const Eigen::Vector3d& p_W) const;
+  /// As above, and its gradient.
+  double Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* gradient) const;
+
+  double radius_m() const { return radius_vox_ * grid_.voxel_m(); }
+  const VoxelGrid& grid() const { return grid_; }
+
+ private:
+  VoxelGrid grid_;
+  int radius_vox_ = 0;
+  std::vector<std::uint16_t> squared_;
+  std::vector<float> metres_;  ///< by squared distance
+};
+
+}  // namespace citrine

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/grid/voxel_grid.h"
+#include "core/map/distance_field.h"
+#include "core/map/map_block.h"
+#include "core/map/quantisation.h"
+
+namespace citrine {
+
+/// A voxel's class (paper, section III-A), from its quantised distance.
+enum class VoxelState : std::uint8_t { kUnknown = 0, kEmpty = 1, kOccupied = 2 };
+
+/// The map that decisions are made on: the quantised blocks of the bus on a dense grid, the class of every voxel, and
+/// the exact distance to what is occupied and to what is unknown.
+///
+/// One writer; everybody in a process who hears the same blocks shares one. `Apply` blocks, then `Update` once.
+class PlanningMap {
+ public:
+  /// Reach of the two distance fields [m]. Clearance beyond it reads as it.
+  static constexpr double kOccupiedReach_m = 3.0;
+  static constexpr double kUnknownReach_m = 1.5;
+
+  struct Ball {
+    Eigen::Vector3d p_W;
+    double radius_m;
+  };
+
+  PlanningMap(const VoxelGrid& grid, const Quantisation& quantisation);
+
+  /// Counts a ball around a spawn as known free in the unknown-distance field, and there alone (design, section 6).
+  void AssumeFree(const Ball& ball);
+
+  /// Takes a block over if it is newer than the one held. @return whether anything changed
+  bool Apply(const MapBlock& block);
+
+  /// Brings the distance fields up to date with the blocks applied since. @return whether anything had changed
+  bool Update();
+
+  const VoxelGrid& grid() const { return grid_; }
+  const Quantisation& quantisation() const { return quantisation_; }
+
+  VoxelState state(std::size_t linear) const { return static_cast<VoxelState>(state_[linear]); }
+  const std::vector<std::uint8_t>& states() const { return state_; }
+  std::uint8_t distance_code(std::size_t linear) const { return distance_[linear]; }
+  std::uint8_t weight_code(std::size_t linear) const { return weight_[linear]; }
+  double distance_m(std::size_t linear) const { return quantisation_.Distance(distance_[linear]); }
+  double weight(std::size_t linear) const { return quantisation_.Weight(weight_[linear]); }
+
+  /// [m] to the nearest voxel that the surface passes: known and d < d_s / 2. Never over by more than half a voxel.
+  const DistanceField& to_occupied() const { return to_occupied_; }
+  /// [m] to the nearest unknown voxel inside the mission volume.
+  const DistanceField& to_unknown() const { return to_unknown_; }
+
+  std::uint32_t block_version(int block) const { return version_[block]; }
+  /// Counts calls of Update() that changed something.
+  std::int64_t revision() const { return revision_; }
+  /// Blocks changed by the last Update() that changed something.
+  const std::vector<int>& changed_blocks() const { return changed_; }
+
+  /// Number of blocks known and the digest over them, as in MapSummary.
+  int num_blocks_known() const;
+  std::uint64_t Digest() const;
+
+ private:
+  VoxelGrid grid_;
+  Quantisation quantisation_;
+  std::vector<std::uint8_t> distance_, weight_, state_;
+  std::vector<std::uint8_t> occupied_site_, unknown_site_;
+  std::vector<std::uint32_t> version_;
+  std::vector<Ball> balls_;
+  DistanceField to_occupied_, to_unknown_;
+  std::vector<int> pending_, changed_;
+  std::int64_t revision_ = 0;
+};
+
+}  // namespace citrine
