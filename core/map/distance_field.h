@@ -28,10 +28,11 @@ class DistanceField {
   std::uint16_t squared_vox(std::size_t linear) const { return squared_[linear]; }
 
   /// [m] distance at a point, trilinear between voxel centres; outside the grid that of the nearest voxel.
-  double Interpolate(const Eigen::Vector3d& p_W) const;
-  /// As above, and its gradient.
+  double Interpolate(const Eigen::Vector3d& p_W) const { return Interpolate(p_W, nullptr); }
+  /// As above, and its gradient: that of the interpolant, 0 along an axis on which the point is outside.
   double Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* gradient) const;
 
+  int radius_vox() const { return radius_vox_; }
   double radius_m() const { return radius_vox_ * grid_.voxel_m(); }
   const VoxelGrid& grid() const { return grid_; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,9 @@ enum class VoxelState : std::uint8_t { kUnknown = 0, kEmpty = 1, kOccupied = 2 }
 
 /// The map that decisions are made on: the quantised blocks of the bus on a dense grid, the class of every voxel, and
 /// the exact distance to what is occupied and to what is unknown.
+///
+/// Beyond the mission volume the class is that of the code all the same: definitions of the paper ask
+/// VoxelGrid::Inside first. What was seen there (the ground under the lower face) keeps its distance in `to_occupied`.
 ///
 /// One writer; everybody in a process who hears the same blocks shares one. `Apply` blocks, then `Update` once.
 class PlanningMap {
@@ -36,6 +40,7 @@ class PlanningMap {
   void AssumeFree(const Ball& ball);
 
   /// Takes a block over if it is newer than the one held. @return whether anything changed
+  /// @throws std::out_of_range for a block that the grid does not have
   bool Apply(const MapBlock& block);
 
   /// Brings the distance fields up to date with the blocks applied since. @return whether anything had changed
@@ -63,18 +68,26 @@ class PlanningMap {
   const std::vector<int>& changed_blocks() const { return changed_; }
 
   /// Number of blocks known and the digest over them, as in MapSummary.
-  int num_blocks_known() const;
+  int num_blocks_known() const { return num_blocks_known_; }
   std::uint64_t Digest() const;
 
  private:
+  struct SiteChange {
+    bool any = false, occupied = false, unknown = false;
+  };
+  /// Writes one row of eight voxels. @return what changed
+  SiteChange WriteRow(std::size_t linear, const std::uint8_t* distance, const std::uint8_t* weight);
+
   VoxelGrid grid_;
   Quantisation quantisation_;
   std::vector<std::uint8_t> distance_, weight_, state_;
   std::vector<std::uint8_t> occupied_site_, unknown_site_;
   std::vector<std::uint32_t> version_;
-  std::vector<Ball> balls_;
+  std::vector<std::uint8_t> never_unknown_;  ///< outside the mission volume, or in a start ball
   DistanceField to_occupied_, to_unknown_;
-  std::vector<int> pending_, changed_;
+  std::vector<int> pending_, pending_occupied_, pending_unknown_, changed_;
+  std::array<std::uint8_t, 256> state_of_{}, occupied_of_{};  ///< by distance code
+  int num_blocks_known_ = 0;
   std::int64_t revision_ = 0;
 };
 

@@ -6,6 +6,9 @@
 
 namespace citrine {
 
+inline constexpr std::uint8_t kUnknownCode = 0;  ///< distance code of a voxel that was never observed
+inline constexpr std::uint8_t kFreeCode = 255;   ///< distance code of +T: nothing within the truncation
+
 /// Codes of one voxel on the wire. Every decision of the system, the base station's too, is made on these.
 ///
 /// Distance: 0 unknown; 1..255 the signed distance -T..+T in steps of T/127 (error at most T/254). Codes at or above

@@ -1,0 +1,152 @@
+#include "core/map/distance_field.h"
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace citrine {
+namespace {
+
+constexpr int kLanes = 16;  // u16 in an AVX2 register
+
+struct Box {
+  VoxelIndex min, max;
+  Eigen::Vector3i sizes() const { return max - min; }
+};
+
+Box Grow(const Box& box, int by, const VoxelGrid& grid) {
+  return {(box.min.array() - by).max(0), (box.max.array() + by).min(grid.voxels().array())};
+}
+
+/// Squared distance along x to the nearest site of the row, capped. @param first  x of out[0]
+void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row_size, int radius,
+                      std::uint16_t* out) {
+  int distance = radius;
+  for (int x = std::max(0, first - radius); x < first; ++x)
+    distance = is_site[x] ? 0 : std::min(distance + 1, radius);
+  for (int i = 0; i < count; ++i) {
+    distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
+    out[i] = static_cast<std::uint16_t>(distance);
+  }
+  distance = radius;
+  for (int x = std::min(row_size, first + count + radius) - 1; x >= first + count; --x)
+    distance = is_site[x] ? 0 : std::min(distance + 1, radius);
+  for (int i = count - 1; i >= 0; --i) {
+    distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
+    const int nearest = std::min<int>(out[i], distance);
+    out[i] = static_cast<std::uint16_t>(nearest * nearest);
+  }
+}
+
+/// min over |k| < radius of in[at + k] + k^2 in 16 lanes; rows lie `stride` apart, and `below`, `above` of them exist.
+__m256i LowerEnvelope(const std::uint16_t* at, std::ptrdiff_t stride, int below, int above, int radius) {
+  const auto load = [&](int k) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at + k * stride));
+  };
+  __m256i best = load(0);
+  for (int k = 1; k < radius; ++k) {
+    const __m256i square = _mm256_set1_epi16(static_cast<short>(k * k));
+    // Nothing k rows away can be nearer than k: once every lane is, the minimum is found.
+    const __m256i reached = _mm256_cmpeq_epi16(_mm256_max_epu16(best, square), square);
+    if (_mm256_movemask_epi8(reached) == -1) break;
+    if (k <= below) best = _mm256_min_epu16(best, _mm256_adds_epu16(load(-k), square));
+    if (k <= above) best = _mm256_min_epu16(best, _mm256_adds_epu16(load(k), square));
+  }
+  return best;
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const VoxelGrid& grid, int radius_vox)
+    : grid_(grid), radius_vox_(radius_vox), metres_(radius_vox * radius_vox + 1) {
+  if (radius_vox < 1 || radius_vox > 181) throw std::invalid_argument("a distance field reaches 1..181 voxels");
+  squared_.assign(grid.num_voxels(), static_cast<std::uint16_t>(radius_vox * radius_vox));
+  for (std::size_t i = 0; i < metres_.size(); ++i)
+    metres_[i] = static_cast<float>(std::sqrt(static_cast<double>(i)) * grid.voxel_m());
+}
+
+void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min, const VoxelIndex& max) {
+  if ((min.array() >= max.array()).any()) return;
+  const Box out = Grow({min, max}, radius_vox_ - 1, grid_);
+  const Box in = Grow(out, radius_vox_ - 1, grid_);
+  const int width = (out.sizes().x() + kLanes - 1) / kLanes * kLanes;
+  const int in_y = in.sizes().y(), in_z = in.sizes().z(), out_y = out.sizes().y();
+
+  std::vector<std::uint16_t> along_x(static_cast<std::size_t>(width) * in_y * in_z, 0);
+  for (int z = 0; z < in_z; ++z)
+    for (int y = 0; y < in_y; ++y) {
+      const std::size_t row = grid_.Linear({0, in.min.y() + y, in.min.z() + z});
+      DistanceAlongRow(&is_site[row], out.min.x(), out.sizes().x(), grid_.voxels().x(), radius_vox_,
+                       &along_x[static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(in_y) * z)]);
+    }
+
+  std::vector<std::uint16_t> along_xy(static_cast<std::size_t>(width) * out_y * in_z);
+  const int skipped_y = out.min.y() - in.min.y();
+  for (int z = 0; z < in_z; ++z)
+    for (int y = 0; y < out_y; ++y)
+      for (int x = 0; x < width; x += kLanes) {
+        const int from = y + skipped_y;
+        const __m256i best =
+            LowerEnvelope(&along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
+                          width, from, in_y - 1 - from, radius_vox_);
+        _mm256_storeu_si256(
+            reinterpret_cast<__m256i*>(
+                &along_xy[x + static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(out_y) * z)]),
+            best);
+      }
+
+  const __m256i cap = _mm256_set1_epi16(static_cast<short>(radius_vox_ * radius_vox_));
+  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(width) * out_y;
+  const int skipped_z = out.min.z() - in.min.z();
+  alignas(32) std::uint16_t lanes[kLanes];
+  for (int z = 0; z < out.sizes().z(); ++z)
+    for (int y = 0; y < out_y; ++y) {
+      const int from = z + skipped_z;
+      const std::size_t row = grid_.Linear({out.min.x(), out.min.y() + y, out.min.z() + z});
+      for (int x = 0; x < width; x += kLanes) {
+        const __m256i best =
+            LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from], plane, from,
+                          in_z - 1 - from, radius_vox_);
+        _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), _mm256_min_epu16(best, cap));
+        std::copy_n(lanes, std::min(kLanes, out.sizes().x() - x), &squared_[row + x]);
+      }
+    }
+}
+
+double DistanceField::Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* gradient) const {
+  const Eigen::Vector3d in_voxels = (p_W - grid_.origin_W()) / grid_.voxel_m() - Eigen::Vector3d::Constant(0.5);
+  std::size_t low[3], high[3];
+  double share[3];
+  bool outside[3];
+  const std::size_t stride[3] = {1, grid_.stride_y(), grid_.stride_z()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double top = grid_.voxels()[axis] - 1;
+    outside[axis] = !(in_voxels[axis] >= 0 && in_voxels[axis] <= top);
+    const double x = std::clamp(in_voxels[axis], 0.0, top);
+    const double floor = std::min(std::floor(x), std::max(top - 1, 0.0));
+    share[axis] = x - floor;
+    low[axis] = stride[axis] * static_cast<std::size_t>(floor);
+    high[axis] = low[axis] + (top > 0 ? stride[axis] : 0);
+  }
+  const auto at = [&](std::size_t x, std::size_t y, std::size_t z) { return static_cast<double>(At(x + y + z)); };
+  const auto mix = [](double a, double b, double s) { return a + (b - a) * s; };
+  const double c000 = at(low[0], low[1], low[2]), c100 = at(high[0], low[1], low[2]);
+  const double c010 = at(low[0], high[1], low[2]), c110 = at(high[0], high[1], low[2]);
+  const double c001 = at(low[0], low[1], high[2]), c101 = at(high[0], low[1], high[2]);
+  const double c011 = at(low[0], high[1], high[2]), c111 = at(high[0], high[1], high[2]);
+  const double y0z0 = mix(c000, c100, share[0]), y1z0 = mix(c010, c110, share[0]);
+  const double y0z1 = mix(c001, c101, share[0]), y1z1 = mix(c011, c111, share[0]);
+  const double z0 = mix(y0z0, y1z0, share[1]), z1 = mix(y0z1, y1z1, share[1]);
+  if (gradient) {
+    const double per_m = 1.0 / grid_.voxel_m();
+    (*gradient)[0] = mix(mix(c100 - c000, c110 - c010, share[1]), mix(c101 - c001, c111 - c011, share[1]), share[2]);
+    (*gradient)[1] = mix(y1z0 - y0z0, y1z1 - y0z1, share[2]);
+    (*gradient)[2] = z1 - z0;
+    for (int axis = 0; axis < 3; ++axis) (*gradient)[axis] *= outside[axis] ? 0.0 : per_m;
+  }
+  return mix(z0, z1, share[2]);
+}
+
+}  // namespace citrine
