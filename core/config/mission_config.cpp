@@ -13,7 +13,8 @@ QualityGoals MissionConfig::quality_goals() const {
 }
 
 Eigen::AlignedBox3d MissionConfig::volume_W() const {
-  if (!mission.volume_min_m || !mission.volume_max_m) throw ConfigError("mission.volume_min_m and mission.volume_max_m are not set");
+  if (!mission.volume_min_m || !mission.volume_max_m)
+    throw ConfigError("mission.volume_min_m and mission.volume_max_m are not set");
   return {*mission.volume_min_m, *mission.volume_max_m};
 }
 
