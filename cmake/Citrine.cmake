@@ -40,11 +40,15 @@ endfunction()
 
 # citrine_test(<name> LABEL unit SOURCES x_test.cpp... LINKS targets...): one GoogleTest program, each of its tests a CTest
 include(GoogleTest)
+add_custom_target(unit_and_module_tests)  # those that are also run with sanitizers
 function(citrine_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE citrine_rules ${arg_LINKS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   target_compile_definitions(${name} PRIVATE CITRINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CITRINE_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
+  if(arg_LABEL MATCHES "^(unit|module)$")
+    add_dependencies(unit_and_module_tests ${name})
+  endif()
   gtest_discover_tests(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600 DISCOVERY_TIMEOUT 60)
 endfunction()
