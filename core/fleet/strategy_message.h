@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace citrine {
+
+/// What a strategy says to its peers beyond the common messages; only the strategy knows what the bytes mean.
+struct StrategyMessage {
+  int from = 0;  ///< UAV 1..N
+  int to = 0;    ///< UAV 1..N; 0: all
+  std::string kind;
+  std::vector<std::uint8_t> bytes;
+};
+
+}  // namespace citrine
