@@ -5,8 +5,7 @@
 namespace citrine {
 namespace {
 
-constexpr double kSpawnHeightMinM =
-    2.25;  // the ball of known free space around a spawn stays above the ground
+constexpr double kSpawnHeightMin_m = 2.25;  // above the volume's floor: room for the ball of known free space
 
 void Exceeds(const std::string& upper_key, double upper, const std::string& lower_key, double lower) {
   if (upper > lower) return;
@@ -36,11 +35,11 @@ void CheckVolumeAndSpawns(const MissionSection& mission) {
   for (std::size_t i = 0; i < mission.spawns_m.size(); ++i) {
     const Eigen::Vector3d& p_W = mission.spawns_m[i];
     const std::string key = "mission.spawns_m[" + std::to_string(i) + "]";
-    if (p_W.z() < kSpawnHeightMinM)
-      throw ConfigError(key + ": z must be at least " + NumberText(kSpawnHeightMinM) + ", is " +
-                        NumberText(p_W.z()));
-    if (mission.volume_min_m &&
-        !Eigen::AlignedBox3d(*mission.volume_min_m, *mission.volume_max_m).contains(p_W))
+    if (!mission.volume_min_m) continue;
+    const double z_min_m = mission.volume_min_m->z() + kSpawnHeightMin_m;
+    if (p_W.z() < z_min_m)
+      throw ConfigError(key + ": z must be at least " + NumberText(z_min_m) + ", is " + NumberText(p_W.z()));
+    if (!Eigen::AlignedBox3d(*mission.volume_min_m, *mission.volume_max_m).contains(p_W))
       throw ConfigError(key + ": must lie inside the mission volume, is " + VectorText(p_W));
   }
 }

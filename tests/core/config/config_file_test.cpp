@@ -110,8 +110,9 @@ TEST(ConfigFile, RefusesContradictoryLimits) {
 }
 
 TEST(ConfigFile, RefusesASpawnBelowTheKnownFreeBallOrOutsideTheVolume) {
-  EXPECT_EQ(RefusalOf("[mission]\nspawns_m = [[0, 0, 3], [0, 4, 1]]"),
-            "mission.spawns_m[1]: z must be at least 2.25, is 1");
+  EXPECT_EQ(RefusalOf("[mission]\nvolume_min_m = [0, 0, -1]\nvolume_max_m = [9, 9, 9]\nspawns_m = [[0, 0, "
+                      "3], [0, 4, 1]]"),
+            "mission.spawns_m[1]: z must be at least 1.25, is 1");
   EXPECT_THAT(
       RefusalOf("[mission]\nvolume_min_m = [0, 0, 0]\nvolume_max_m = [9, 9, 9]\nspawns_m = [[-1, 0, 3]]"),
       StartsWith("mission.spawns_m[0]: must lie inside the mission volume, is [-1, 0, 3]"));
