@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/map/planning_map.h"
+#include "planner/view/elements.h"
+#include "planner/view/sensor_window.h"
+
+namespace citrine::planner {
+
+/// h of eq. (9): 1 within eta of d*, 0.5 nearer, falling from 0.5 to 0 at r_max farther; 0 beyond r_max.
+/// At d* - eta and d* + eta exactly, which the paper leaves open, the outer case holds.
+double DistanceWorth(double distance_m, double d_star_m, double eta_m, double range_max_m);
+
+/// The sum of eq. (8) over all elements, before it is normalised, and |ASE_v|.
+struct Gain {
+  double sum = 0;   ///< sum of h vis over ASE_v
+  int visible = 0;  ///< |ASE_v|: elements in range and field of view that nothing occupied hides
+};
+
+/// Evaluates eq. (8) for views, and bounds it from above without looking for what hides elements.
+class InformationGain {
+ public:
+  InformationGain(const PlanningMap& map, const std::vector<Element>& elements, const SensorWindow& window,
+                  double eta_m);
+
+  Gain Evaluate(const Eigen::Vector3d& view_W) const;
+
+  /// As Evaluate, but gives up, with visible = -1, once it is certain that fewer than `visible_min` are visible.
+  /// @param bound what Bound() said of the view
+  Gain Evaluate(const Eigen::Vector3d& view_W, const Gain& bound, int visible_min) const;
+
+  /// At least what Evaluate gives, in both numbers.
+  Gain Bound(const Eigen::Vector3d& view_W) const;
+
+ private:
+  struct Bucket {
+    Eigen::Vector3f min_W, max_W;
+    int begin, end;
+  };
+  template <class Visit>
+  void ForEachNear(const Eigen::Vector3d& view_W, Visit&& visit) const;
+
+  const PlanningMap& map_;
+  SensorWindow window_;
+  double eta_m_;
+  std::vector<Element> elements_;  ///< by bucket, then by voxel
+  std::vector<float> x_, y_, z_;
+  std::vector<float> near2_, far2_;  ///< squared ends of the interval of viewing distances [m^2]
+  double far_worth_ = 0;             ///< the most that h is beyond it
+  std::vector<Bucket> buckets_;
+};
+
+}  // namespace citrine::planner

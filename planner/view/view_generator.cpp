@@ -1,0 +1,164 @@
+#include "planner/view/view_generator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quality/confidence.h"
+#include "planner/view/visibility.h"
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kDegree = EIGEN_PI / 180;
+constexpr double kVertical = 0.1;         ///< sine of the tilt below which a normal has no azimuth
+constexpr double kFanCosine = 0.17364817766693041;  ///< of 80 degrees
+constexpr double kLattice_m = 0.5;
+constexpr double kImprovement = 0.97;     ///< of the range already seen from: 6 % more weight, beyond the code's 2 %
+
+View Make(const Eigen::Vector3d& p_W, const Element& element, View::Kind kind) {
+  const Eigen::Vector3d to = element.p_W - p_W;
+  return {p_W, std::atan2(to.y(), to.x()), element.linear, element.p_W, kind};
+}
+
+Eigen::Vector3d Direction(double azimuth_rad, double elevation_rad) {
+  return {std::cos(elevation_rad) * std::cos(azimuth_rad), std::cos(elevation_rad) * std::sin(azimuth_rad),
+          std::sin(elevation_rad)};
+}
+
+}  // namespace
+
+ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window, Safe safe, const Options& options)
+    : map_(map),
+      window_(window),
+      safe_(std::move(safe)),
+      options_(options),
+      lowest_rad_(-window.elevation_max_rad()),
+      highest_rad_(-window.elevation_min_rad()) {
+  const double low = lowest_rad_ + kDegree, high = highest_rad_ - kDegree;
+  for (int i = 0; i < 64; ++i) fan_[i] = Direction(i % 16 * EIGEN_PI / 8, low + (high - low) * (i / 16) / 3);
+}
+
+double ViewGenerator::UsefulRange(const Element& element) const {
+  if (element.kind == SurfaceClass::kIse || options_.weights_are_sums || element.weight <= 0)
+    return window_.range_max_m();
+  return std::min(window_.range_max_m(), std::max(kImprovement / std::sqrt(element.weight), element.d_star_m));
+}
+
+std::array<std::pair<double, View::Kind>, 3> ViewGenerator::Distances(const Element& element) const {
+  const double d_star = element.d_star_m, eta = options_.eta_m;
+  std::array<std::pair<double, View::Kind>, 3> distances{
+      {{std::min(d_star - eta / 2, window_.range_max_m()), View::Kind::kOptimal},
+       {0.6 * (d_star - eta), View::Kind::kClose},
+       {std::min(d_star + 2 * eta, window_.range_max_m()), View::Kind::kFar}}};
+  if (element.attempts > 0) std::swap(distances[0], distances[1]);
+  return distances;
+}
+
+Eigen::Vector3d ViewGenerator::Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W) const {
+  const bool vertical = std::hypot(normal_W.x(), normal_W.y()) < kVertical;
+  const Eigen::Vector3d& azimuth_of = vertical ? to_uav_W : normal_W;
+  const double elevation = std::asin(std::clamp(normal_W.z(), -1.0, 1.0));
+  if (!vertical && elevation >= lowest_rad_ && elevation <= highest_rad_) return normal_W;
+  return Direction(std::atan2(azimuth_of.y(), azimuth_of.x()),
+                   std::clamp(elevation, lowest_rad_ + kDegree, highest_rad_ - kDegree));
+}
+
+std::optional<View> ViewGenerator::AlongNormal(const Element& element, const Eigen::Vector3d& uav_W) const {
+  if (element.normal_W.isZero()) return std::nullopt;
+  const Eigen::Vector3d along = Turned(element.normal_W, uav_W - element.p_W);
+  const double useful = UsefulRange(element);
+  for (const auto& [distance, kind] : Distances(element)) {
+    if (distance > useful || distance < window_.range_min_m()) continue;
+    const Eigen::Vector3d p_W = element.p_W + distance * along;
+    if (safe_(p_W) && LookAt(map_, element, p_W).clear) return Make(p_W, element, kind);
+  }
+  return std::nullopt;
+}
+
+std::optional<View> ViewGenerator::Around(const Element& element) const {
+  std::array<std::pair<double, int>, 64> order;
+  int count = 0;
+  for (int i = 0; i < 64; ++i) {
+    const double cosine = element.normal_W.isZero() ? 1 : element.normal_W.dot(fan_[i]);
+    if (cosine > kFanCosine) order[count++] = {-cosine, i};
+  }
+  std::sort(order.begin(), order.begin() + count);
+  const double useful = UsefulRange(element);
+  for (int k = 0; k < count; ++k)
+    for (const auto& [distance, kind] : Distances(element)) {
+      if (distance > useful || distance < window_.range_min_m()) continue;
+      const Eigen::Vector3d p_W = element.p_W + distance * fan_[order[k].second];
+      if (!safe_(p_W)) continue;
+      const Sight sight = LookAt(map_, element, p_W);
+      if (sight.clear && sight.unknown == 0) return Make(p_W, element, View::Kind::kAround);
+    }
+  return std::nullopt;
+}
+
+std::optional<View> ViewGenerator::Search(const Element& element) const {
+  const VoxelGrid& grid = map_.grid();
+  const int stride = std::max(1, static_cast<int>(std::lround(kLattice_m / grid.voxel_m())));
+  const double useful = UsefulRange(element);
+  const double best_distance = Distances(element)[0].first;
+  const int reach = static_cast<int>(useful / grid.voxel_m()) + 1;
+  const VoxelIndex lo = (element.voxel.array() - reach).max(grid.inside_min().array());
+  const VoxelIndex hi = (element.voxel.array() + reach + 1).min(grid.inside_max().array());
+  const auto first = [&](int axis) { return (lo[axis] + stride - 1) / stride * stride; };
+
+  std::optional<View> best;
+  std::pair<int, double> best_cost{1 << 20, 0};
+  VoxelIndex v;
+  for (v.z() = first(2); v.z() < hi.z(); v.z() += stride)
+    for (v.y() = first(1); v.y() < hi.y(); v.y() += stride)
+      for (v.x() = first(0); v.x() < hi.x(); v.x() += stride) {
+        const Eigen::Vector3d to = (element.voxel - v).cast<double>() * grid.voxel_m();
+        const double distance = to.norm();
+        if (distance > useful || distance < window_.range_min_m() || !window_.InFieldOfView(to)) continue;
+        const double off = std::abs(distance - best_distance);
+        if (best && best_cost.first == 0 && off >= best_cost.second) continue;
+        const Eigen::Vector3d p_W = grid.Centre(v);
+        if (!safe_(p_W)) continue;
+        const Sight sight = LookAt(map_, element, p_W);
+        const std::pair<int, double> cost{sight.unknown, off};
+        if (!sight.clear || cost >= best_cost) continue;
+        best = Make(p_W, element, View::Kind::kAround);
+        best_cost = cost;
+      }
+  return best;
+}
+
+bool ViewGenerator::Holds(const View& view, const Element& element) const {
+  const Eigen::Vector3d to = element.p_W - view.p_W;
+  return to.norm() <= UsefulRange(element) && window_.Sees(to) && safe_(view.p_W) &&
+         LookAt(map_, element, view.p_W).clear;
+}
+
+SharedViews::SharedViews(const VoxelGrid& grid)
+    : cells_((grid.voxels().array() + 2) / 3 + 1),
+      first_(grid.inside_min()),
+      newest_(static_cast<std::size_t>(cells_.prod()), -1) {}
+
+std::size_t SharedViews::CellOf(const Element& element) const {
+  const Eigen::Vector3i c = (element.voxel - first_) / 3;
+  return static_cast<std::size_t>(c.x()) + static_cast<std::size_t>(cells_.x()) * (c.y() + static_cast<std::size_t>(cells_.y()) * c.z());
+}
+
+int SharedViews::Leader(const std::vector<Element>& elements, int i) const {
+  static const double kAlike = std::cos(20 * kDegree);
+  const Element& e = elements[i];
+  for (int at = newest_[CellOf(e)]; at >= 0; at = chain_[at].second) {
+    const Element& leader = elements[chain_[at].first];
+    if (leader.d_star_m == e.d_star_m && leader.attempts == e.attempts && leader.normal_W.dot(e.normal_W) >= kAlike)
+      return chain_[at].first;
+  }
+  return -1;
+}
+
+void SharedViews::Lead(const std::vector<Element>& elements, int i) {
+  int& newest = newest_[CellOf(elements[i])];
+  chain_.emplace_back(i, newest);
+  newest = static_cast<int>(chain_.size()) - 1;
+}
+
+}  // namespace citrine::planner
