@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "logs/flight_record.h"
+
+namespace citrine::logs {
+
+/// Numbers over a flight: (mission time [s], value).
+using Series = std::vector<std::pair<double, double>>;
+
+/// [m] from a point to the nearest obstacle of the true world.
+using Clearance = std::function<double(const Eigen::Vector3d& p_W)>;
+
+/// [m] flown: the sum of the distances between recorded positions.
+double PathLength(const std::vector<UavState>& states);
+Series PathLengthOverTime(const std::vector<UavState>& states);
+
+Series SpeedOverTime(const std::vector<UavState>& states);
+
+/// [m/s^2] of the true vehicle: difference of recorded velocities 0.1 s apart, over 0.1 s. A mean over that
+/// window, so that one step of the physics engine does not count as a jerk of the vehicle.
+Series AccelerationOverTime(const std::vector<UavState>& states);
+
+/// [m] between the centres of the two nearest UAVs at every instant at which two or more have spoken.
+Series SeparationOverTime(const std::vector<UavFlight>& uavs);
+
+/// [m/s] mean speed of all UAVs over the instants at which a path is under way (tracked, braked or blocked,
+/// not yet reached).
+std::optional<double> MeanSpeedUnderWay(const std::vector<UavFlight>& uavs);
+
+/// [m] least clearance of a UAV's centre; nothing without a state.
+std::optional<double> MinClearance(const std::vector<UavFlight>& uavs, const Clearance& clearance);
+
+/// Contacts counted by the simulator, all UAVs.
+int Collisions(const std::vector<UavFlight>& uavs);
+/// Decisions made, all UAVs.
+std::int64_t Decisions(const std::vector<UavFlight>& uavs);
+
+/// Elements that the UAV that knows of most has last counted as given up, or as unreachable.
+int ElementsGivenUp(const std::vector<UavFlight>& uavs);
+int ElementsUnreachable(const std::vector<UavFlight>& uavs);
+
+/// Largest value; nothing if empty. Smallest likewise.
+std::optional<double> MaxOf(const Series& series);
+std::optional<double> MinOf(const Series& series);
+
+}  // namespace citrine::logs
