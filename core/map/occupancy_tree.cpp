@@ -1,0 +1,70 @@
+#include "core/map/occupancy_tree.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <octomap/OcTree.h>
+
+namespace citrine {
+
+struct OccupancyTree::Impl {
+  explicit Impl(const VoxelGrid& grid)
+      : tree(grid.voxel_m()), version(grid.num_blocks(), 0), leaf(grid.num_voxels(), 0) {}
+
+  octomap::OcTree tree;
+  std::vector<std::uint32_t> version;  ///< of the blocks as last looked at
+  std::vector<std::uint8_t> leaf;      ///< as in the tree: Leaf
+};
+
+OccupancyTree::OccupancyTree() = default;
+OccupancyTree::~OccupancyTree() = default;
+
+void OccupancyTree::Update(const PlanningMap& map) {
+  const VoxelGrid& grid = map.grid();
+  if (!impl_) impl_ = std::make_unique<Impl>(grid);
+  // A hair off the centre, so that rounding never puts two voxels into one leaf.
+  const Eigen::Vector3d hair = Eigen::Vector3d::Constant(1e-4 * grid.voxel_m());
+  for (int block = 0; block < grid.num_blocks(); ++block) {
+    if (impl_->version[block] == map.block_version(block)) continue;
+    impl_->version[block] = map.block_version(block);
+    const VoxelIndex origin = grid.BlockOrigin(block);
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      const VoxelIndex voxel = origin + VoxelIndex(i % kBlockSide, i / kBlockSide % kBlockSide, i / (kBlockSide * kBlockSide));
+      const std::size_t linear = grid.Linear(voxel);
+      if (map.state(linear) == VoxelState::kUnknown) continue;
+      const Leaf leaf = map.distance_m(linear) < grid.voxel_m() / 2 ? Leaf::kOccupied : Leaf::kFree;
+      if (impl_->leaf[linear] == static_cast<std::uint8_t>(leaf)) continue;
+      impl_->leaf[linear] = static_cast<std::uint8_t>(leaf);
+      const Eigen::Vector3d p_W = grid.Centre(voxel) + hair;
+      const octomap::OcTree& tree = impl_->tree;
+      impl_->tree.setNodeValue(octomap::point3d(static_cast<float>(p_W.x()), static_cast<float>(p_W.y()),
+                                                static_cast<float>(p_W.z())),
+                               leaf == Leaf::kOccupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog());
+    }
+  }
+}
+
+std::vector<std::uint8_t> OccupancyTree::Bytes() const {
+  if (!impl_) return {};
+  std::ostringstream stream;
+  impl_->tree.writeBinaryConst(stream);
+  const std::string text = stream.str();
+  return {text.begin(), text.end()};
+}
+
+void OccupancyTree::WriteBt(const std::string& path) const {
+  const std::vector<std::uint8_t> bytes = Bytes();
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+OccupancyTree::Leaf OccupancyTree::At(const Eigen::Vector3d& p_W) const {
+  const octomap::OcTreeNode* node =
+      impl_ ? impl_->tree.search(p_W.x(), p_W.y(), p_W.z()) : nullptr;
+  if (!node) return Leaf::kUnknown;
+  return impl_->tree.isNodeOccupied(node) ? Leaf::kOccupied : Leaf::kFree;
+}
+
+}  // namespace citrine
