@@ -8,8 +8,8 @@
 
 namespace citrine {
 
-/// What a module measures of itself; said in MODULE_HEALTH, the only message that carries wall time, and gathered by the
-/// report. Never read by a decision.
+/// What a module measures of itself; said in MODULE_HEALTH, the only message that carries wall time, and
+/// gathered by the report. Never read by a decision.
 class Health {
  public:
   /// One sample of a named quantity, such as "replan_ms" or "views"; the report prints its percentiles.

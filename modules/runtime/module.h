@@ -16,12 +16,14 @@ struct ModuleContext {
   const MissionConfig& config;
   Bus& bus;
   Health& health;
-  int uav = 0;                           ///< 1..N in a module that serves one UAV, else 0
-  std::shared_ptr<MapHearer> map_hearer; ///< one a process: whoever needs the map hears it through this; null in a
-                                         ///< module that declares `static constexpr bool kHearsMap = false`
+  int uav = 0;  ///< 1..N in a module that serves one UAV, else 0
+  std::shared_ptr<MapHearer>
+      map_hearer;  ///< one a process: whoever needs the map hears it through this; null in a
+                   ///< module that declares `static constexpr bool kHearsMap = false`
 };
 
-/// A module: `kName`, `kSummary`, `kHearsMap`, `kPerUav`, a constructor (const ModuleContext&) that subscribes, and Tick().
+/// A module: `kName`, `kSummary`, `kHearsMap`, `kPerUav`, a constructor (const ModuleContext&) that
+/// subscribes, and Tick().
 class Module {
  public:
   virtual ~Module() = default;
