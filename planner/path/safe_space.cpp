@@ -1,0 +1,73 @@
+#include "planner/path/safe_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kStepMin_m = 0.06;   ///< of sphere tracing: a quarter of the paper's voxel
+constexpr double kTolerance_m = 1e-6;
+constexpr double kRoomy_m = 0.5;
+
+std::uint16_t SquaredVoxels(double distance_m, double voxel_m) {
+  const double n = distance_m / voxel_m;
+  return static_cast<std::uint16_t>(std::min(65535.0, std::ceil(n * n - 1e-6)));
+}
+
+}  // namespace
+
+SafeSpace::SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double margin_m)
+    : map_(map),
+      occupied_m_(std::min(limits.radius_m + margin_m, map.to_occupied().radius_m())),
+      unknown_m_(std::min(limits.radius_m, map.to_unknown().radius_m())),
+      occupied_vox2_(SquaredVoxels(occupied_m_, map.grid().voxel_m())),
+      unknown_vox2_(SquaredVoxels(unknown_m_, map.grid().voxel_m())),
+      roomy_vox2_(SquaredVoxels(std::min(occupied_m_ + kRoomy_m, map.to_occupied().radius_m()), map.grid().voxel_m())) {}
+
+double SafeSpace::Slack(const Eigen::Vector3d& p_W) const {
+  const double outside = map_.grid().volume_W().exteriorDistance(p_W);
+  if (outside > 0) return -outside;
+  return std::min(map_.to_occupied().Interpolate(p_W) - occupied_m_, map_.to_unknown().Interpolate(p_W) - unknown_m_);
+}
+
+double SafeSpace::FreeRadius(const Eigen::Vector3d& p_W) const {
+  return std::min(map_.to_occupied().Interpolate(p_W), map_.to_unknown().Interpolate(p_W));
+}
+
+bool SafeSpace::LegSafe(const Eigen::Vector3d& from_W, const Eigen::Vector3d& to_W,
+                        const std::vector<Ball>& avoid) const {
+  const double length = (to_W - from_W).norm();
+  for (double s = 0;;) {
+    const Eigen::Vector3d p_W = length > 0 ? Eigen::Vector3d(from_W + (to_W - from_W) * (s / length)) : from_W;
+    double slack = Slack(p_W);
+    for (const Ball& ball : avoid) slack = std::min(slack, (p_W - ball.p_W).norm() - ball.radius_m);
+    if (slack < -kTolerance_m) return false;
+    if (s >= length) return true;
+    s = std::min(length, s + std::max(kStepMin_m, slack));
+  }
+}
+
+std::optional<VoxelIndex> SafeSpace::NearestSafeVoxel(const Eigen::Vector3d& p_W, double reach_m) const {
+  const VoxelGrid& grid = map_.grid();
+  const int reach = static_cast<int>(std::ceil(reach_m / grid.voxel_m()));
+  const VoxelIndex centre = grid.IndexOf(p_W);
+  if (SafeVoxel(centre)) return centre;
+  const VoxelIndex lo = (centre.array() - reach).max(grid.inside_min().array());
+  const VoxelIndex hi = (centre.array() + reach + 1).min(grid.inside_max().array());
+  std::optional<VoxelIndex> nearest;
+  double best = reach_m * reach_m;
+  for (int z = lo.z(); z < hi.z(); ++z)
+    for (int y = lo.y(); y < hi.y(); ++y)
+      for (int x = lo.x(); x < hi.x(); ++x) {
+        const VoxelIndex v(x, y, z);
+        if (!SafeVoxel(grid.Linear(v))) continue;
+        const double d2 = (grid.Centre(v) - p_W).squaredNorm();
+        if (d2 < best) best = d2, nearest = v;
+      }
+  return nearest;
+}
+
+}  // namespace citrine::planner

@@ -1,0 +1,107 @@
+#include "planner/path/topological_grid.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "core/grid/neighbours.h"
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr int kCellVoxels = 4;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TopologicalGrid::TopologicalGrid(const PlanningMap& map)
+    : map_(map),
+      size_((map.grid().voxels().array() + kCellVoxels - 1) / kCellVoxels),
+      cell_m_(kCellVoxels * map.grid().voxel_m()) {}
+
+void TopologicalGrid::ReadMap() {
+  if (revision_ == map_.revision()) return;
+  revision_ = map_.revision();
+  free_.assign(static_cast<std::size_t>(size_.prod()), 0);
+  const VoxelGrid& grid = map_.grid();
+  const VoxelIndex lo = grid.inside_min(), hi = grid.inside_max();
+  for (int z = lo.z(); z < hi.z(); ++z)
+    for (int y = lo.y(); y < hi.y(); ++y) {
+      const std::size_t row = grid.Linear({0, y, z});
+      const int cells = size_.x() * (y / kCellVoxels + size_.y() * (z / kCellVoxels));
+      for (int x = lo.x(); x < hi.x(); ++x)
+        free_[static_cast<std::size_t>(cells + x / kCellVoxels)] |=
+            map_.state(row + static_cast<std::size_t>(x)) == VoxelState::kEmpty;
+    }
+}
+
+int TopologicalGrid::CellOf(const Eigen::Vector3d& p_W) const {
+  const VoxelIndex v = map_.grid().IndexOf(p_W);
+  const Eigen::Vector3i c = (v.array().max(0) / kCellVoxels).min(size_.array() - 1);
+  return c.x() + size_.x() * (c.y() + size_.y() * c.z());
+}
+
+Eigen::Vector3d TopologicalGrid::Centre(int cell) const {
+  const Eigen::Vector3i c(cell % size_.x(), cell / size_.x() % size_.y(), cell / (size_.x() * size_.y()));
+  return map_.grid().origin_W() + (c.cast<double>().array() + 0.5).matrix() * cell_m_;
+}
+
+int TopologicalGrid::NearestFree(const Eigen::Vector3d& p_W) const {
+  const int own = CellOf(p_W);
+  if (free_[static_cast<std::size_t>(own)]) return own;
+  int nearest = -1;
+  double best = kInfinity;
+  for (int cell = 0; cell < static_cast<int>(free_.size()); ++cell) {
+    if (!free_[static_cast<std::size_t>(cell)]) continue;
+    const double d2 = (Centre(cell) - p_W).squaredNorm();
+    if (d2 < best) best = d2, nearest = cell;
+  }
+  return nearest;
+}
+
+std::vector<double> TopologicalGrid::LengthsFrom(const Eigen::Vector3d& from_W,
+                                                 const std::vector<Eigen::Vector3d>& to_W) {
+  ReadMap();
+  std::vector<double> lengths(to_W.size(), kInfinity);
+  const int start = NearestFree(from_W);
+  if (start < 0) return lengths;
+  std::vector<int> ends;
+  for (const Eigen::Vector3d& p_W : to_W) ends.push_back(NearestFree(p_W));
+
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  length_m_.assign(free_.size(), kInfinity);
+  length_m_[static_cast<std::size_t>(start)] = 0;
+  open.push({0, start});
+  std::vector<int> waited_for = ends;
+  while (!open.empty() && !waited_for.empty()) {
+    const auto [length, cell] = open.top();
+    open.pop();
+    if (length > length_m_[static_cast<std::size_t>(cell)]) continue;
+    std::erase(waited_for, cell);
+    const Eigen::Vector3i c(cell % size_.x(), cell / size_.x() % size_.y(), cell / (size_.x() * size_.y()));
+    for (const auto& n : kN26) {
+      const Eigen::Vector3i step(n[0], n[1], n[2]), next = c + step;
+      if ((next.array() < 0).any() || (next.array() >= size_.array()).any()) continue;
+      const auto i = static_cast<std::size_t>(next.x() + size_.x() * (next.y() + size_.y() * next.z()));
+      const double there = length + cell_m_ * step.cast<double>().norm();
+      if (!free_[i] || there >= length_m_[i]) continue;
+      length_m_[i] = there;
+      open.push({there, static_cast<int>(i)});
+    }
+  }
+  for (std::size_t i = 0; i < to_W.size(); ++i) {
+    if (start == ends[i]) {
+      lengths[i] = (to_W[i] - from_W).norm();
+      continue;
+    }
+    lengths[i] = length_m_[static_cast<std::size_t>(ends[i])] + (from_W - Centre(start)).norm() +
+                 (to_W[i] - Centre(ends[i])).norm();
+  }
+  return lengths;
+}
+
+}  // namespace citrine::planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/map/planning_map.h"
+
+namespace citrine::planner {
+
+/// Cells of four voxels that contain known free space, as neighbours over faces, edges and corners: how far it is from
+/// here to there, roughly, for the assignment of a balanced fleet (paper, IV-C).
+class TopologicalGrid {
+ public:
+  explicit TopologicalGrid(const PlanningMap& map);
+
+  /// [m] from one point to each of several, through the centres of free cells. A point in a cell that is not free
+  /// (a centroid may lie in a wall) is joined to the nearest free cell by a straight line. Infinity: not connected.
+  std::vector<double> LengthsFrom(const Eigen::Vector3d& from_W, const std::vector<Eigen::Vector3d>& to_W);
+
+ private:
+  void ReadMap();
+  int CellOf(const Eigen::Vector3d& p_W) const;
+  Eigen::Vector3d Centre(int cell) const;
+  int NearestFree(const Eigen::Vector3d& p_W) const;  ///< -1: there is none
+
+  const PlanningMap& map_;
+  Eigen::Vector3i size_;
+  double cell_m_;
+  std::vector<std::uint8_t> free_;
+  std::vector<double> length_m_;
+  std::int64_t revision_ = -1;
+};
+
+}  // namespace citrine::planner

@@ -1,0 +1,94 @@
+#include "planner/safety/collision_guard.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kReaction_s = 0.2;
+constexpr double kHorizonMin_s = 1.5, kHorizonSpare_s = 0.5;
+constexpr double kImminent_s = 0.6;         ///< before stopping takes as long as there is
+constexpr Utime kSample = 50'000;
+constexpr Utime kStale = 500'000;           ///< an older scan says nothing about now
+// The map's distances are those of voxel centres: a committed way may pass that much nearer to the very surface.
+constexpr double kMapError_m = 0.2;
+constexpr double kNearing_m = 0.05;
+constexpr double kTeammateSize_m = 0.3;     ///< hits this far beyond the radius around a teammate are the teammate
+
+}  // namespace
+
+double CollisionGuard::BoxLength(double speed_mps) const {
+  return limits_.radius_m + speed_mps * kReaction_s + speed_mps * speed_mps / (2 * limits_.acceleration_max_mps2);
+}
+
+void CollisionGuard::HearScan(const LidarScan& scan) {
+  if (directions_.empty() || !(scan.model == model_)) {
+    model_ = scan.model;
+    directions_.clear();
+    for (int row = 0; row < model_.rows; ++row)
+      for (int col = 0; col < model_.cols; ++col) directions_.push_back(model_.Direction(row, col).cast<float>());
+  }
+  measured_ = scan.measured;
+  hits_W_.clear();
+  const double reach_m = BoxLength(limits_.speed_max_mps) + limits_.radius_m;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const float r = scan.ranges_m[i];
+    if (r > 0 && r < reach_m) hits_W_.push_back(scan.X_WS * Eigen::Vector3d((r * directions_[i]).cast<double>()));
+  }
+}
+
+std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene) const {
+  const TrajectoryPoint here = committed.At(now);
+  const double speed = here.v_W.norm();
+  if (speed < 0.1 || now - measured_ > kStale || measured_ < 0) return std::nullopt;
+  const Eigen::Vector3d ahead = here.v_W / speed;
+  const double length = BoxLength(speed);
+  const double horizon_s = std::max(kHorizonMin_s, speed / limits_.acceleration_max_mps2 + kHorizonSpare_s);
+  std::vector<Eigen::Vector3d> way_W;
+  for (Utime t = now; t < now + FromSeconds(horizon_s); t += kSample) way_W.push_back(committed.At(t).p_W);
+
+  std::optional<Utime> first;
+  for (const Eigen::Vector3d& hit_W : hits_W_) {
+    const Eigen::Vector3d offset = hit_W - here.p_W;
+    const double along = offset.dot(ahead);
+    if (along < 0 || along > length || (offset - along * ahead).norm() > limits_.radius_m) continue;
+    const bool is_teammate = std::any_of(scene.teammates.begin(), scene.teammates.end(), [&](const Teammate& other) {
+      return (other.trajectory.At(measured_).p_W - hit_W).norm() < limits_.radius_m + kTeammateSize_m;
+    });
+    if (is_teammate) continue;
+    const double asked = std::min(limits_.radius_m - kMapError_m, offset.norm() - kNearing_m);
+    for (std::size_t i = 0; i < way_W.size(); ++i) {
+      if ((way_W[i] - hit_W).norm() >= asked) continue;
+      const Utime at = now + static_cast<Utime>(i) * kSample;
+      first = first ? std::min(*first, at) : at;
+      break;
+    }
+  }
+  return first;
+}
+
+std::optional<Violation> CollisionGuard::FindConflictToSolve(const Trajectory& committed, Utime now,
+                                                             const FlightScene& scene) const {
+  if (committed.end() <= now) return std::nullopt;  // it stands still: whoever moves avoids it
+  const double stopping_s = committed.At(now).v_W.norm() / limits_.acceleration_max_mps2 + kReaction_s;
+  for (const Teammate& teammate : scene.teammates) {
+    const std::optional<Violation> conflict = FindConflict(committed, now, teammate, scene.separation_m());
+    if (!conflict) continue;
+    const bool it_cannot = teammate.trajectory.end() <= now;
+    const bool imminent = Seconds(conflict->at - now) < stopping_s + kImminent_s;
+    if (it_cannot || teammate.uav < uav_ || imminent) return conflict;
+  }
+  return std::nullopt;
+}
+
+GuardVerdict CollisionGuard::Check(const Trajectory& committed, Utime now, const FlightScene& scene) const {
+  if (const std::optional<Utime> at = FindHit(committed, now, scene))
+    return {GuardVerdict::Action::kBrake, *at, "an obstacle in the newest scan"};
+  if (const std::optional<Violation> conflict = FindConflictToSolve(committed, now, scene))
+    return {GuardVerdict::Action::kYield, conflict->at, conflict->Reason()};
+  return {};
+}
+
+}  // namespace citrine::planner
