@@ -16,7 +16,7 @@ MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisatio
 void MapFuser::Integrate(const LidarScan& scan) {
   const std::vector<int> changed = integrator_.Integrate(scan);
   for (int block : changed) touched_[block] = 1;
-  map_version_ += !changed.empty();
+  integrations_ += !changed.empty();
 }
 
 std::vector<int> MapFuser::TakeChanged() {
@@ -32,7 +32,7 @@ std::vector<int> MapFuser::TakeChanged() {
     said = std::make_unique<MapBlock>(now);
     changed.push_back(block);
   }
-  version_said_ = map_version_;
+  if (!changed.empty()) version_said_ = integrations_;
   return changed;
 }
 

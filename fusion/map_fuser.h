@@ -22,8 +22,8 @@ class MapFuser {
 
   /// Full map.
   const TsdfMap& map() const { return map_; }
-  /// Counts the integrations that changed something that can be said.
-  std::int64_t map_version() const { return map_version_; }
+  /// Version of the map as it has been said: grows whenever a block's codes do.
+  std::int64_t map_version() const { return version_said_; }
 
   /// Quantises what the scans have touched since the last call; a block whose codes differ from what was said of it
   /// last gets its next version. @return the indices of those, ascending
@@ -42,7 +42,8 @@ class MapFuser {
   std::vector<std::uint8_t> touched_;  ///< one a block
   std::vector<std::unique_ptr<MapBlock>> said_;
   int num_blocks_said_ = 0;
-  std::int64_t map_version_ = 0, version_said_ = 0;
+  std::int64_t integrations_ = 0;  ///< those that changed something
+  std::int64_t version_said_ = 0;  ///< integrations when a block last changed in what is said
 };
 
 }  // namespace citrine::fusion

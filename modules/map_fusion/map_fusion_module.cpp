@@ -1,0 +1,161 @@
+#include "modules/map_fusion/map_fusion_module.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <tuple>
+#include <utility>
+
+#include "core/map/mission_grid.h"
+#include "core/map/ply.h"
+#include "core/quality/map_quality.h"
+#include "fusion/surface_mesh.h"
+#include "fusion/teammate_filter.h"
+#include "modules/codec/bad_message.h"
+#include "modules/codec/fleet_status.h"
+#include "modules/codec/lidar_scan.h"
+#include "modules/codec/map_blocks.h"
+#include "modules/codec/map_summary.h"
+#include "modules/codec/mission_progress.h"
+#include "modules/codec/octree.h"
+#include "modules/codec/uav_state.h"
+#include "modules/runtime/stopwatch.h"
+
+namespace citrine {
+namespace {
+
+constexpr double kProgress_hz = 2;
+constexpr int kBlockMessagesAStep = 2;  // pace: of at most 33 kB each, so that default receive buffers hold them
+
+fusion::WeightPolicy PolicyOf(const MapSection& map) {
+  if (const auto policy = fusion::WeightPolicyOf(map.weight_policy)) return *policy;
+  throw ConfigError("map.weight_policy = \"" + map.weight_policy + "\": best_view, per_scan or per_point is allowed");
+}
+
+}  // namespace
+
+MapFusionModule::MapFusionModule(const ModuleContext& context)
+    : config_(context.config),
+      bus_(context.bus),
+      health_(context.health),
+      hearer_(context.map_hearer),
+      fuser_(MissionGrid(config_), config_.map.truncation_m, MissionQuantisation(config_), PolicyOf(config_.map)),
+      rotation_(fuser_.map().grid().num_blocks(),
+                static_cast<int>(std::floor(config_.map.rotation_s * config_.map.publish_hz))),
+      surface_(fuser_.map().grid(), MissionQuantisation(config_), config_.quality_goals()),
+      no_view_left_(static_cast<std::size_t>(config_.mission.uavs), false),
+      states_(bus_.HearAll(channels::kUavState)),
+      scans_(bus_.HearAll(channels::kLidarScan)),
+      fleet_statuses_(bus_.HearAll(channels::kFleetStatus)),
+      publish_(1 / config_.map.publish_hz),
+      progress_(1 / kProgress_hz) {
+  if (config_.map.octree_hz > 0) say_octree_.emplace(1 / config_.map.octree_hz);
+}
+
+void MapFusionModule::Tick(const Step& step) {
+  HearFleet();
+  IntegrateScans();
+  if (hearer_->Update(step)) surface_.Update(hearer_->map());
+  if (blocks_to_say_.empty() && publish_.Due(step.now)) QueueBlocks();
+  if (octree_to_say_.empty() && say_octree_ && say_octree_->Due(step.now)) QueueOctree();
+  SayQueued();
+  if (progress_.Due(step.now)) SayProgress();
+  if (step.last) WriteResults();
+}
+
+void MapFusionModule::HearFleet() {
+  for (const auto& [uav, message] : states_->Take()) {
+    try {
+      positions_.Hear(uav, Decode(message));
+    } catch (const BadMessage& error) {
+      bus_.Reject(channels::kUavState.Of(uav), error.what());
+    }
+  }
+  for (const auto& [uav, message] : fleet_statuses_->Take()) {
+    try {
+      const FleetStatus status = Decode(message);
+      if (uav >= 1 && uav <= config_.mission.uavs) no_view_left_[uav - 1] = status.no_view_left;
+    } catch (const BadMessage& error) {
+      bus_.Reject(channels::kFleetStatus.Of(uav), error.what());
+    }
+  }
+}
+
+void MapFusionModule::IntegrateScans() {
+  std::vector<std::pair<int, LidarScan>> scans;
+  for (const auto& [uav, message] : scans_->Take()) {
+    try {
+      scans.emplace_back(uav, Decode(message));
+    } catch (const BadMessage& error) {
+      bus_.Reject(channels::kLidarScan.Of(uav), error.what());
+    }
+  }
+  std::stable_sort(scans.begin(), scans.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.second.measured, a.first) < std::tie(b.second.measured, b.first);
+  });
+  for (auto& [uav, scan] : scans) {
+    const Stopwatch stopwatch;
+    fusion::DropTeammates(scan, positions_.Others(uav, scan.measured));
+    fuser_.Integrate(scan);
+    health_.Sample("integration_ms", stopwatch.ms());
+  }
+}
+
+void MapFusionModule::QueueBlocks() {
+  std::vector<MapBlock> blocks;
+  for (const int index : rotation_.Next(fuser_.TakeChanged())) blocks.push_back(*fuser_.Said(index));
+  for (citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks)) blocks_to_say_.push_back(std::move(message));
+  summary_to_say_ = Encode(fuser_.Summary());
+}
+
+void MapFusionModule::QueueOctree() {
+  octree_.Update(hearer_->map());
+  const OctreeBytes octree{std::max<std::int64_t>(hearer_->map_version(), 0), config_.map.voxel_m, octree_.Bytes()};
+  for (citrine_lcm::octree_t& message : EncodeInMessages(octree)) octree_to_say_.push_back(std::move(message));
+}
+
+void MapFusionModule::SayQueued() {
+  for (int i = 0; i < kBlockMessagesAStep && !blocks_to_say_.empty(); ++i) {
+    bus_.Publish(channels::kMapBlocks, std::move(blocks_to_say_.front()));
+    blocks_to_say_.pop_front();
+  }
+  if (blocks_to_say_.empty() && summary_to_say_) {
+    bus_.Publish(channels::kMapSummary, *summary_to_say_);
+    summary_to_say_.reset();
+  }
+  if (!octree_to_say_.empty()) {
+    bus_.Publish(channels::kMapOctree, std::move(octree_to_say_.front()));
+    octree_to_say_.pop_front();
+  }
+}
+
+bool MapFusionModule::NobodyHasAViewLeft() const {
+  return std::all_of(no_view_left_.begin(), no_view_left_.end(), [](bool none) { return none; });
+}
+
+void MapFusionModule::SayProgress() {
+  const std::int64_t version = std::max<std::int64_t>(hearer_->map_version(), 0);
+  bus_.Publish(channels::kMissionProgress,
+               Encode(ProgressOf(hearer_->map(), surface_, NobodyHasAViewLeft(), version)));
+}
+
+void MapFusionModule::WriteResults() {
+  if (config_.launch.out.empty()) return;
+  try {
+    const Stopwatch stopwatch;
+    WritePly(config_.launch.out + "/mesh.ply", fusion::SurfaceMesh(fuser_.map()));
+    health_.Sample("mesh_ms", stopwatch.ms());
+    // What was fused since the last publication belongs to the octree, too.
+    PlanningMap whole = hearer_->map();
+    fuser_.TakeChanged();
+    for (int block = 0; block < whole.grid().num_blocks(); ++block)
+      if (const MapBlock* said = fuser_.Said(block)) whole.Apply(*said);
+    whole.Update();
+    octree_.Update(whole);
+    octree_.WriteBt(config_.launch.out + "/map.bt");
+  } catch (const std::exception& error) {
+    health_.Error(error.what());
+  }
+}
+
+}  // namespace citrine

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/map/occupancy_tree.h"
+#include "core/quality/active_surface.h"
+#include "fusion/block_rotation.h"
+#include "fusion/map_fuser.h"
+#include "modules/channels.h"
+#include "modules/map_fusion/fleet_positions.h"
+#include "modules/map_hearer.h"
+#include "modules/runtime/module.h"
+
+namespace citrine {
+
+/// The base station. Hears UAV*_LIDAR_SCAN (and where the UAVs are); says MAP_BLOCKS, MAP_SUMMARY, MAP_OCTREE and
+/// MISSION_PROGRESS; writes mesh.ply and map.bt when the mission is over.
+class MapFusionModule : public Module {
+ public:
+  static constexpr const char* kName = "map_fusion";
+  static constexpr const char* kSummary = "fuses the scans of all UAVs into one map and says what changed";
+  static constexpr bool kHearsMap = true;
+  static constexpr bool kPerUav = false;
+
+  /// @throws ConfigError if the map cannot be built from the configuration
+  explicit MapFusionModule(const ModuleContext& context);
+
+  void Tick(const Step& step) override;
+
+ private:
+  void HearFleet();
+  void IntegrateScans();
+  void QueueBlocks();
+  void SayQueued();
+  void SayProgress();
+  void QueueOctree();
+  void WriteResults();
+  bool NobodyHasAViewLeft() const;
+
+  const MissionConfig config_;
+  Bus& bus_;
+  Health& health_;
+  std::shared_ptr<MapHearer> hearer_;
+
+  fusion::MapFuser fuser_;
+  fusion::BlockRotation rotation_;
+  ActiveSurface surface_;
+  OccupancyTree octree_;
+  FleetPositions positions_;
+  std::vector<bool> no_view_left_;  ///< by UAV id - 1
+
+  std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
+  std::shared_ptr<Inbox<citrine_lcm::lidar_scan_t>> scans_;
+  std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> fleet_statuses_;
+
+  Every publish_, progress_;
+  std::optional<Every> say_octree_;
+  std::deque<citrine_lcm::map_blocks_t> blocks_to_say_;
+  std::deque<citrine_lcm::octree_t> octree_to_say_;
+  std::optional<citrine_lcm::map_summary_t> summary_to_say_;  ///< of the map when `blocks_to_say_` have been said
+};
+
+}  // namespace citrine

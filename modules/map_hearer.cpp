@@ -1,0 +1,91 @@
+#include "modules/map_hearer.h"
+
+#include <optional>
+#include <vector>
+
+#include "core/map/mission_grid.h"
+#include "modules/channels.h"
+#include "modules/codec/bad_message.h"
+#include "modules/codec/map_blocks.h"
+#include "modules/codec/map_summary.h"
+
+namespace citrine {
+
+struct MapHearer::Impl {
+  Impl(const MissionConfig& config, Bus& the_bus)
+      : bus(the_bus),
+        map(MissionPlanningMap(config)),
+        blocks(bus.Hear(channels::kMapBlocks)),
+        summaries(bus.Hear(channels::kMapSummary)) {}
+
+  void HearBlocks();
+  void HearSummaries();
+  void Compare(const MapSummary& summary);
+
+  Bus& bus;
+  PlanningMap map;
+  std::shared_ptr<Inbox<citrine_lcm::map_blocks_t>> blocks;
+  std::shared_ptr<Inbox<citrine_lcm::map_summary_t>> summaries;
+  std::int64_t last_step = -1;
+  bool changed_in_step = false;
+  std::int64_t version = -1;
+  std::uint64_t digest = 0;            ///< of the map at `digest_revision`
+  std::int64_t digest_revision = -1;
+};
+
+MapHearer::MapHearer(const MissionConfig& config, Bus& bus) : impl_(std::make_unique<Impl>(config, bus)) {}
+MapHearer::~MapHearer() = default;
+
+bool MapHearer::Update(const Step& step) {
+  if (step.index != impl_->last_step) {
+    impl_->last_step = step.index;
+    impl_->HearBlocks();
+    impl_->changed_in_step = impl_->map.Update();
+    impl_->HearSummaries();
+  }
+  return impl_->changed_in_step;
+}
+
+void MapHearer::Impl::HearBlocks() {
+  for (const auto& entry : blocks->Take()) {
+    try {
+      const std::vector<MapBlock> heard = Decode(entry.message);
+      for (const MapBlock& block : heard)
+        Require(block.index < map.grid().num_blocks(), "map_blocks_t: a block outside the mission's grid");
+      for (const MapBlock& block : heard) map.Apply(block);
+    } catch (const BadMessage& error) {
+      bus.Reject(channels::kMapBlocks.name, error.what());
+    }
+  }
+}
+
+void MapHearer::Impl::HearSummaries() {
+  std::optional<MapSummary> newest;
+  for (const auto& entry : summaries->Take()) {
+    try {
+      const MapSummary summary = Decode(entry.message);
+      Require(summary.grid == map.grid(), "map_summary_t: another grid than the mission's");
+      Require(summary.truncation_m == map.quantisation().truncation_m() &&
+                  summary.weight_max == map.quantisation().weight_max(),
+              "map_summary_t: other codes than the mission's");
+      newest = summary;
+    } catch (const BadMessage& error) {
+      bus.Reject(channels::kMapSummary.name, error.what());
+    }
+  }
+  if (newest) Compare(*newest);
+}
+
+void MapHearer::Impl::Compare(const MapSummary& summary) {
+  if (summary.num_blocks != map.num_blocks_known()) return;
+  if (digest_revision != map.revision()) {
+    digest = map.Digest();
+    digest_revision = map.revision();
+  }
+  if (digest == summary.digest) version = summary.map_version;
+}
+
+const PlanningMap& MapHearer::map() const { return impl_->map; }
+std::int64_t MapHearer::map_version() const { return impl_->version; }
+
+}  // namespace citrine
