@@ -1,0 +1,63 @@
+#include "viz/topdown_renderer.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "tests/viz/test_scene.h"
+#include "viz/frame_writer.h"
+#include "viz/palette.h"
+
+namespace citrine::viz {
+namespace {
+
+int CountOf(const Image& image, Colour colour) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) count += image.ColourAt(x, y) == colour;
+  return count;
+}
+
+TEST(TopdownRenderer, DrawsTheWholeSceneInTheSameBitsEachTime) {
+  const TestScene test;
+  const TopdownRenderer renderer(test.volume_W, 24);
+  const Image first = renderer.Draw(test.scene);
+  EXPECT_EQ(first.width % 2, 0);
+  EXPECT_EQ(first.height % 2, 0);
+  EXPECT_GE(first.height, 40 * 24);
+  EXPECT_EQ(first.bgr, renderer.Draw(test.scene).bgr);
+  if (const char* path = std::getenv("CITRINE_TOPDOWN_PNG")) WritePng(path, first);
+}
+
+TEST(TopdownRenderer, ShowsEveryUavInItsColour) {
+  TestScene test;
+  const TopdownRenderer renderer(test.volume_W, 24);
+  for (const SceneUav& uav : test.scene.uavs) {
+    Scene alone = test.scene;
+    alone.uavs.clear();
+    EXPECT_GT(CountOf(renderer.Draw(test.scene), UavColour(uav.id)), 50 + CountOf(renderer.Draw(alone), UavColour(uav.id)));
+  }
+}
+
+TEST(TopdownRenderer, DrawsAMissionThatHasNoMapYet) {
+  Scene empty;
+  empty.mission = "empty";
+  const Image image = TopdownRenderer(TestScene().volume_W, 24).Draw(empty);
+  EXPECT_EQ(image.ColourAt(image.width / 4, image.height / 2), kUnknown);
+}
+
+TEST(TopdownRenderer, FitsLargeFleetsSmallWorldsAndCoarseScales) {
+  TestScene test;
+  while (test.scene.uavs.size() < 15) {
+    test.scene.uavs.push_back(test.scene.uavs[test.scene.uavs.size() % 3]);
+    test.scene.uavs.back().id = static_cast<int>(test.scene.uavs.size());
+  }
+  for (const double scale : {2.0, 7.0, 60.0}) {
+    const Image image = TopdownRenderer(test.volume_W, scale).Draw(test.scene);
+    EXPECT_GE(image.width, 45 * scale);
+    EXPECT_GE(image.height, 720);
+  }
+}
+
+}  // namespace
+}  // namespace citrine::viz

@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include "core/vehicle/airframe.h"
+#include "viz/layers.h"
+#include "viz/palette.h"
+
+namespace citrine::viz {
+
+namespace {
+
+/// Committed trajectory from now to its end.
+std::vector<Pixel> RemainingWay(const Trajectory& trajectory, Utime now, const Canvas& canvas) {
+  std::vector<Pixel> way;
+  constexpr Utime kSpacing = 50'000;
+  for (Utime t = std::max(now, trajectory.start); t < trajectory.end(); t += kSpacing) {
+    way.push_back(canvas.ToPixel(trajectory.At(t).p_W));
+  }
+  if (!way.empty()) way.push_back(canvas.ToPixel(trajectory.At(trajectory.end()).p_W));
+  return way;
+}
+
+void DrawGoal(const FleetStatus& status, Colour colour, Canvas& canvas) {
+  const double s = canvas.scale();
+  const Pixel at = canvas.ToPixel(status.goal_W);
+  const double radius_px = 9 * s;
+  for (const auto& [ink, width] : {std::pair{kOutline, 5.0 * s}, std::pair{colour, 2.5 * s}}) {
+    canvas.Ring(at, radius_px, ink, width);
+    for (const Pixel& side : {Pixel(1, 0), Pixel(-1, 0), Pixel(0, 1), Pixel(0, -1)}) {
+      canvas.Polyline({at + 0.45 * radius_px * side, at + 1.5 * radius_px * side}, ink, width);
+    }
+  }
+}
+
+void DrawAirframe(const SceneUav& uav, double radius_m, Canvas& canvas) {
+  const double s = canvas.scale();
+  const Colour colour = UavColour(uav.id);
+  const Pixel at = canvas.ToPixel(uav.state.X_WB.p);
+  canvas.Disc(at, radius_m * canvas.pixels_per_m(), colour, 0.18);
+  canvas.Ring(at, radius_m * canvas.pixels_per_m(), colour, 1.5 * s, 0.9);
+
+  const double yaw = YawOf(uav.state.X_WB.q);
+  const double size_px = std::max(1.15 * kAirframeRadius_m * canvas.pixels_per_m(), 7 * s);
+  const auto arm = [&](double angle) { return Pixel(std::cos(yaw + angle), -std::sin(yaw + angle)); };
+  for (const auto& [ink, grow] : {std::pair{kOutline, 2.0 * s}, std::pair{colour, 0.0}}) {
+    for (int k = 0; k < 4; ++k) {
+      const Pixel rotor = at + size_px * arm(EIGEN_PI / 4 + k * EIGEN_PI / 2);
+      canvas.Polyline({at, rotor}, ink, 3 * s + 2 * grow);
+      canvas.Disc(rotor, 0.52 * size_px + grow, ink);
+    }
+    canvas.Polyline({at, at + 1.25 * size_px * arm(0)}, ink, 3 * s + 2 * grow);
+    canvas.Disc(at, 0.42 * size_px + grow, ink);
+  }
+  const Pixel label = at + Pixel(0, -(radius_m * canvas.pixels_per_m() + 6 * s));
+  const std::string name = std::to_string(uav.id);
+  canvas.Fill({label + Pixel(-10 * s, -17 * s), label + Pixel(10 * s, 3 * s)}, kOutline, 0.75);
+  canvas.Text(label + Pixel(0, -1 * s), name, colour, 13 * s, Canvas::Align::kCentre, true);
+}
+
+}  // namespace
+
+void DrawTrails(const Scene& scene, const Relief&, Canvas& canvas) {
+  const double s = canvas.scale();
+  for (const SceneUav& uav : scene.uavs) {
+    const std::vector<Pixel> trail = canvas.ToPixels(uav.trail_W);
+    canvas.Polyline(trail, kOutline, 4 * s, 0.45);
+    canvas.Polyline(trail, UavColour(uav.id), 2 * s, 0.85);
+  }
+}
+
+void DrawPlans(const Scene& scene, const Relief&, Canvas& canvas) {
+  const double s = canvas.scale();
+  for (const SceneUav& uav : scene.uavs) {
+    const Colour colour = UavColour(uav.id);
+    if (uav.path && uav.status && uav.status->has_goal) {
+      std::vector<Pixel> way;
+      for (const Waypoint& waypoint : uav.path->waypoints) way.push_back(canvas.ToPixel(waypoint.p_W));
+      canvas.Dashes(way, colour, 1.5 * s, 5 * s);
+    }
+    if (uav.trajectory) {
+      const std::vector<Pixel> way = RemainingWay(*uav.trajectory, scene.now, canvas);
+      canvas.Polyline(way, kOutline, 6 * s, 0.7);
+      canvas.Polyline(way, kText, 3 * s);
+    }
+    if (uav.centroid_W) canvas.Ring(canvas.ToPixel(*uav.centroid_W), 14 * s, colour, 2 * s, 0.8);
+    if (uav.status && uav.status->has_goal) DrawGoal(*uav.status, colour, canvas);
+  }
+}
+
+void DrawUavs(const Scene& scene, const Relief&, Canvas& canvas) {
+  for (const SceneUav& uav : scene.uavs) DrawAirframe(uav, scene.uav_radius_m, canvas);
+}
+
+}  // namespace citrine::viz
