@@ -12,6 +12,7 @@ namespace {
 constexpr double kStep_m = 0.5;              ///< of the lattice on which free positions are looked for
 constexpr double kHover_m = 0.25;            ///< automatic starts are this much higher than they must be
 constexpr double kGroundWithin_m = 10;       ///< and have something below them this near
+constexpr double kFromSide_m = 1.25;         ///< and lie this far from the low side of y
 constexpr double kTooNear_m = 1.0;           ///< given starts nearer to each other than this are refused
 constexpr std::uint64_t kJitterStream = 11;
 constexpr int kJitterHalvings = 6;
@@ -83,7 +84,7 @@ bool FreeToStart(const RayScene& scene, const Eigen::AlignedBox3d& volume_W, con
 
 std::vector<Eigen::Vector3d> FreeStarts(const RayScene& scene, const Eigen::AlignedBox3d& volume_W, double apart_m, int most) {
   std::vector<Eigen::Vector3d> points = Lattice(volume_W);
-  for (Eigen::Vector3d& p : points) p += Eigen::Vector3d(0, std::min(kSpawnFree_m, volume_W.sizes().y() / 4), kHover_m);
+  for (Eigen::Vector3d& p : points) p += Eigen::Vector3d(0, kFromSide_m, kHover_m);
   const double centre_x = volume_W.center().x();
   std::ranges::stable_sort(points, {}, [&](const Eigen::Vector3d& p) {
     // A low start is preferred to one near the side: a metre up counts as three metres away from it.
