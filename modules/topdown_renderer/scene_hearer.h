@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <citrine_lcm/fleet_assignment_t.hpp>
+#include <citrine_lcm/fleet_status_t.hpp>
+#include <citrine_lcm/mission_progress_t.hpp>
+#include <citrine_lcm/path_t.hpp>
+#include <citrine_lcm/trajectory_t.hpp>
+#include <citrine_lcm/uav_state_t.hpp>
+
+#include "core/quality/active_surface.h"
+#include "modules/runtime/module.h"
+#include "viz/scene.h"
+
+namespace citrine {
+
+/// Hears all that a picture shows and keeps the scene of it.
+class SceneHearer {
+ public:
+  explicit SceneHearer(const ModuleContext& context);
+
+  /// Takes over what was said before this step.
+  void Update(const Step& step);
+
+  /// The scene now, with the active elements of the map as it is.
+  const viz::Scene& Finish();
+
+ private:
+  void HearStates();
+  void HearPlans();
+  void HearAssignments();
+  void HearProgress();
+
+  /// Takes every message of an inbox, decodes it and hands those of the fleet over; counts what means nothing.
+  template <class Message, class Take>
+  void Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take);
+
+  Bus& bus_;
+  std::shared_ptr<MapHearer> map_hearer_;
+  ActiveSurface surface_;
+  viz::Scene scene_;
+  Utime assignment_expiry_ = 0;
+  std::int64_t newest_plan_ = 0;
+  std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
+  std::shared_ptr<Inbox<citrine_lcm::path_t>> paths_;
+  std::shared_ptr<Inbox<citrine_lcm::trajectory_t>> trajectories_;
+  std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> statuses_;
+  std::shared_ptr<Inbox<citrine_lcm::fleet_assignment_t>> assignments_;
+  std::shared_ptr<Inbox<citrine_lcm::mission_progress_t>> progress_;
+};
+
+}  // namespace citrine

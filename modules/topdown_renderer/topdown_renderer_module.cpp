@@ -1,0 +1,47 @@
+#include "modules/topdown_renderer/topdown_renderer_module.h"
+
+#include "modules/runtime/stopwatch.h"
+
+namespace citrine {
+
+namespace {
+constexpr double kPicturePeriod_s = 10;
+}
+
+TopdownRendererModule::TopdownRendererModule(const ModuleContext& context)
+    : health_(context.health),
+      out_(context.config.launch.out),
+      frame_hz_(context.config.viz.frame_hz),
+      wants_video_(context.config.launch.video && !out_.empty()),
+      scene_(context),
+      renderer_(context.config.volume_W(), context.config.viz.pixels_per_m),
+      picture_due_(kPicturePeriod_s, FromSeconds(kPicturePeriod_s)),
+      frame_due_(1 / frame_hz_) {
+  if (context.config.launch.view) window_.emplace("citrine: " + context.config.mission.name);
+}
+
+void TopdownRendererModule::Tick(const Step& step) {
+  scene_.Update(step);
+  const bool picture = (picture_due_.Due(step.now) || step.last) && !out_.empty();
+  const bool frame = frame_due_.Due(step.now) || step.last;
+  if (!picture && !(frame && (wants_video_ || window_))) return;
+
+  const Stopwatch stopwatch;
+  Write(renderer_.Draw(scene_.Finish()), picture, frame && wants_video_);
+  if (step.last) video_.reset();
+  health_.Sample("frame_ms", stopwatch.ms());
+}
+
+void TopdownRendererModule::Write(const viz::Image& frame, bool picture, bool video) {
+  try {
+    if (picture) viz::WritePng(out_ + "/topdown.png", frame);
+    if (video && !video_) video_.emplace(out_ + "/topdown.mp4", frame.width, frame.height, frame_hz_);
+    if (video) video_->Add(frame);
+    if (window_) window_->Show(frame);
+  } catch (const viz::FrameError& error) {
+    health_.Error(error.what());
+    if (video && !video_) wants_video_ = false;
+  }
+}
+
+}  // namespace citrine
