@@ -1,0 +1,114 @@
+#include "modules/view_planner/view_planner_module.h"
+
+#include <tuple>
+
+#include "modules/codec/bad_message.h"
+#include "modules/codec/fleet_assignment.h"
+#include "modules/codec/fleet_status.h"
+#include "modules/codec/flight_status.h"
+#include "modules/codec/path.h"
+#include "modules/codec/trajectory.h"
+#include "modules/codec/uav_state.h"
+#include "modules/map_hearer.h"
+#include "modules/runtime/stopwatch.h"
+
+namespace citrine {
+
+namespace {
+
+constexpr int kStateQueue = 64, kFewQueue = 16;
+
+/// What makes a status worth saying at once.
+auto Essence(const FleetStatus& s) {
+  return std::tie(s.activity, s.deciding_since, s.has_goal, s.goal_W.x(), s.goal_W.y(), s.goal_W.z(), s.decisions,
+                  s.replanning, s.plan_id, s.corrected_selections_left, s.no_view_left);
+}
+
+/// Hands every message of an inbox to `hear`; one that means nothing is counted and dropped.
+template <class Message, class Hear>
+void TakeAll(Bus& bus, Inbox<Message>& inbox, const char* channel, Hear&& hear) {
+  for (const auto& entry : inbox.Take()) {
+    try {
+      hear(entry.uav, Decode(entry.message));
+    } catch (const BadMessage& error) {
+      bus.Reject(channel, error.what());
+    }
+  }
+}
+
+}  // namespace
+
+ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
+    : bus_(context.bus),
+      health_(context.health),
+      uav_(context.uav),
+      map_hearer_(context.map_hearer),
+      path_search_(map_hearer_->map(), context.config.uav.limits, context.config.planner.path_margin_m),
+      topological_grid_(map_hearer_->map()),
+      planner_(
+          context.config, uav_, map_hearer_->map(),
+          [this](const auto& start_W, const auto& goal_W, const auto& avoid) { return FindPath(start_W, goal_W, avoid); },
+          [this](const auto& from_W, const auto& to_W) { return topological_grid_.LengthsFrom(from_W, to_W); }),
+      states_(bus_.HearAll(channels::kUavState, kStateQueue)),
+      statuses_(bus_.HearAll(channels::kFleetStatus, kStateQueue)),
+      assignments_(bus_.Hear(channels::kFleetAssignment, kFewQueue)),
+      flights_(bus_.Hear(channels::kFlightStatus, uav_, kFewQueue)),
+      trajectories_(bus_.Hear(channels::kTrajectory, uav_, kFewQueue)) {}
+
+std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
+                                                const std::vector<PlanningMap::Ball>& avoid) {
+  const Stopwatch stopwatch;
+  std::optional<Path> path = path_search_.Find(start_W, goal_W, avoid);
+  path_ms_ += stopwatch.ms();
+  health_.Sample("plan_ms", stopwatch.ms());
+  return path;
+}
+
+void ViewPlannerModule::HearAll(Utime now) {
+  TakeAll(bus_, *states_, "UAV_STATE", [&](int uav, const UavState& state) { planner_.HearState(uav, state, now); });
+  TakeAll(bus_, *statuses_, "UAV_FLEET_STATUS",
+          [&](int uav, const FleetStatus& status) { planner_.HearStatus(uav, status, now); });
+  TakeAll(bus_, *assignments_, "FLEET_ASSIGNMENT",
+          [&](int, const FleetAssignment& assignment) { planner_.HearAssignment(assignment, now); });
+  TakeAll(bus_, *flights_, "UAV_FLIGHT_STATUS", [&](int, const FlightStatus& flight) { planner_.HearFlight(flight); });
+  TakeAll(bus_, *trajectories_, "UAV_TRAJECTORY",
+          [&](int, const Trajectory& trajectory) { planner_.HearTrajectory(trajectory); });
+}
+
+void ViewPlannerModule::Tick(const Step& step) {
+  const bool map_changed = map_hearer_->Update(step);
+  HearAll(step.now);
+  if (map_changed) {
+    const Stopwatch stopwatch;
+    planner_.HearMap(step.now);
+    health_.Sample("surface_ms", stopwatch.ms());
+  }
+  path_ms_ = 0;
+  const Stopwatch stopwatch;
+  const planner::ViewPlanner::Outcome outcome = planner_.Tick(step.now, map_hearer_->map_version());
+  if (outcome.decided) {
+    health_.Sample("replan_ms", stopwatch.ms() - path_ms_);
+    health_.Sample("views", static_cast<double>(outcome.views));
+    health_.Sample("elements", static_cast<double>(outcome.elements));
+    if (outcome.new_path) health_.Sample("decisions", 1);
+    if (outcome.corrected) health_.Sample("corrections", 1);
+  }
+  Say(outcome, step.now);
+}
+
+void ViewPlannerModule::Say(const planner::ViewPlanner::Outcome& outcome, Utime now) {
+  const FleetStatus status = planner_.Status();
+  const bool status_due = status_.Due(now);
+  if (status_due || Essence(status) != Essence(said_)) {
+    bus_.Publish(channels::kFleetStatus, uav_, Encode(status));
+    said_ = status;
+  }
+  const bool path_due = path_again_.Due(now);
+  if (const Path* path = planner_.path(); path && (outcome.new_path || path_due))
+    bus_.Publish(channels::kPath, uav_, Encode(*path));
+  const bool assignment_due = assignment_again_.Due(now);
+  if (const FleetAssignment* own = planner_.assignment(now); own && (outcome.corrected || assignment_due))
+    bus_.Publish(channels::kFleetAssignment, Encode(*own));
+}
+
+}  // namespace citrine

@@ -1,0 +1,200 @@
+#include <algorithm>
+
+#include "planner/fleet/balance.h"
+#include "planner/strategy/view_planner.h"
+#include "planner/view/well_seen.h"
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kGroup_m = 0.75;         ///< elements this near to a view's own share it (a cell of 3 voxels)
+constexpr double kGoalsApart_m = 0.5;     ///< beyond two radii
+constexpr double kBlockedNear_m = 0.5;
+constexpr double kWarmUp_s = 3.0;         ///< before it the map is too young to say that nothing is left
+constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
+
+}  // namespace
+
+/// What a decision sees.
+struct ViewPlanner::Prospect {
+  std::vector<Element> elements;          ///< active, and not as good as seen
+  bool some_taken = false;                ///< others are about to be seen, by this UAV or a mate
+  Candidates candidates;
+  std::vector<View> views;                ///< candidates that may be flown to at present
+  std::vector<FleetView::Other> others;
+};
+
+ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
+  const TrajectoryPoint start = Ahead(now);
+  reachable_.Update(start.p_W);
+  blocked_.erase(std::remove_if(blocked_.begin(), blocked_.end(), [&](const Blocked& b) { return b.until <= now; }),
+                 blocked_.end());
+  last_decision_ = now;
+  decided_on_ = map_.revision();
+  decided_version_ = map_version;
+  retry_ = false;
+
+  const Prospect prospect = LookAround(start, now);
+  Outcome outcome;
+  outcome.decided = true;
+  outcome.corrected = Balance(prospect, now);
+  outcome.views = prospect.candidates.views.size();
+  outcome.elements = prospect.elements.size();
+
+  Path path;
+  const std::optional<Choice> choice = Choose(prospect, start, now, path);
+  if (choice) {
+    last_score_ = choice->score;
+    Commit(prospect, prospect.views[choice->view], std::move(path), now);
+    outcome.new_path = true;
+  } else {
+    NoChoice(prospect, now);
+  }
+  return outcome;
+}
+
+ViewPlanner::Prospect ViewPlanner::LookAround(const TrajectoryPoint& start, Utime now) {
+  Prospect prospect;
+  prospect.others = fleet_.Alive(now);
+  prospect.elements = ListElements(map_, surface_, [&](std::uint32_t voxel) { return memory_.Skips(voxel); });
+  elements_active_ = static_cast<std::int32_t>(prospect.elements.size());
+  if (goal_ && goal_->finished) {
+    const bool there = (state_->X_WB.p - goal_->view.p_W).norm() < 0.5;
+    RememberLook(prospect.elements, there ? state_->X_WB.p : start.p_W, there, now);
+  }
+
+  std::vector<std::uint32_t> taken;
+  looks_.AppendTo(taken);
+  for (const FleetView::Other& other : prospect.others) {
+    if (!other.has_goal) continue;
+    const std::vector<std::uint32_t> seen = WellSeenFrom(map_, prospect.elements, window_, other.goal_W);
+    taken.insert(taken.end(), seen.begin(), seen.end());
+  }
+  std::sort(taken.begin(), taken.end());
+  const auto is_taken = [&](const Element& e) { return std::binary_search(taken.begin(), taken.end(), e.linear); };
+  const auto kept = std::remove_if(prospect.elements.begin(), prospect.elements.end(), is_taken);
+  prospect.some_taken = kept != prospect.elements.end();
+  prospect.elements.erase(kept, prospect.elements.end());
+  for (Element& element : prospect.elements) element.attempts = memory_.Attempts(element.linear);
+
+  const bool per_cell = config_.planner.views == "per_cell";
+  prospect.candidates = MakeCandidates(map_, prospect.elements, generator_, per_cell, start.p_W,
+                                       goal_ ? kFlying : kIdle, memory_);
+  for (const View& view : prospect.candidates.views)
+    if (!Excluded(view, prospect.others, now)) prospect.views.push_back(view);
+  return prospect;
+}
+
+void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now) {
+  std::vector<std::uint32_t> seen = WellSeenFrom(map_, elements, window_, p_W);
+  const std::uint32_t own = goal_->view.element;
+  const bool active = surface_.At(own) >= SurfaceClass::kLqse && !memory_.Skips(own);
+  if (at_goal && active && !std::binary_search(seen.begin(), seen.end(), own)) seen.push_back(own);
+  std::vector<ElementMemory::Before> before;
+  for (const std::uint32_t voxel : seen) before.push_back(memory_.Note(map_, voxel));
+  looks_.Add(std::move(before), map_.revision(), now);
+}
+
+bool ViewPlanner::Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const {
+  for (const Blocked& blocked : blocked_)
+    if (now < blocked.until && (view.p_W - blocked.p_W).norm() < kBlockedNear_m) return true;
+  const double apart = 2 * config_.uav.limits.radius_m + kGoalsApart_m;
+  for (const FleetView::Other& other : others) {
+    const double distance = (view.p_W - other.x_W()).norm();
+    if (distance >= apart) continue;
+    // Of two UAVs near a view the nearer one has it, lest both leave it to the other.
+    if (other.has_goal || distance < (view.p_W - state_->X_WB.p).norm()) return true;
+  }
+  return false;
+}
+
+bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
+  if (!correction_.claiming()) return false;
+  std::vector<Eigen::Vector3d> elements_W;
+  for (const Element& element : prospect.elements) elements_W.push_back(element.p_W);
+  if (!Unbalanced(elements_W, now)) {
+    correction_.Release();
+    return false;
+  }
+  std::vector<Eigen::Vector3d> uavs_W{state_->X_WB.p};
+  for (const FleetView::Other& other : prospect.others) uavs_W.push_back(other.x_W());
+  const auto seed = static_cast<std::uint64_t>(config_.mission.seed) * 1000003u + static_cast<std::uint64_t>(now);
+  const std::vector<Eigen::Vector3d> centroids_W = DivideWork(elements_W, uavs_W, lengths_from_, seed);
+  if (centroids_W.empty()) {
+    correction_.Release();
+    return false;
+  }
+  std::vector<Eigen::Vector3d> by_uav(static_cast<std::size_t>(config_.mission.uavs), FleetCorrection::Nowhere());
+  by_uav[uav_ - 1] = centroids_W[0];
+  for (std::size_t i = 0; i < prospect.others.size(); ++i) by_uav[prospect.others[i].uav - 1] = centroids_W[i + 1];
+  correction_.Begin(std::move(by_uav), now);
+  return true;
+}
+
+std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now, Path& path) {
+  if (prospect.views.empty()) return std::nullopt;
+  std::vector<Eigen::Vector3d> others_W;
+  std::vector<PlanningMap::Ball> avoid;
+  const double apart = 2 * config_.uav.limits.radius_m;
+  for (const FleetView::Other& other : prospect.others) {
+    others_W.push_back(other.x_W());
+    if (!other.has_goal && (other.p_W - start.p_W).norm() > apart) avoid.push_back({other.p_W, apart});
+  }
+  const FleetAssignment* correction = correction_.Current(now);
+  const Situation situation{map_,        surface_.goals(), window_,   config_.quality.eta_m,
+                            prospect.elements, prospect.views,  uav_,     start.p_W,
+                            start.v_W,   others_W,         correction ? &correction->centroid_W_by_uav : nullptr};
+  return strategy_->Choose(situation, [&](const View& view) {
+    std::optional<Path> found = find_path_(start.p_W, view.p_W, avoid);
+    if (found && found->ends_at_goal) {
+      path = std::move(*found);
+      return true;
+    }
+    blocked_.push_back({view.p_W, now + FromSeconds(10.0)});
+    memory_.CountBlocked(map_, view.element);
+    return false;
+  });
+}
+
+void ViewPlanner::Commit(const Prospect& prospect, const View& view, Path path, Utime now) {
+  path.id = path_ ? path_->id + 1 : 1;
+  path.goal_yaw_rad = view.yaw_rad;
+  path.limits = config_.uav.limits;
+  double length_m = 0;
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i)
+    length_m += (path.waypoints[i].p_W - path.waypoints[i - 1].p_W).norm();
+  path_ = std::move(path);
+
+  Goal goal;
+  goal.view = view;
+  goal.seen = WellSeenFrom(map_, prospect.elements, window_, view.p_W);
+  goal.made_for.push_back(view.element);
+  for (const std::uint32_t voxel : goal.seen)
+    if ((map_.grid().Centre(map_.grid().FromLinear(voxel)) - view.element_W).norm() <= kGroup_m)
+      goal.made_for.push_back(voxel);
+  goal.deadline = now + FromSeconds(10 + length_m / 0.5);
+  goal_ = std::move(goal);
+  ++decisions_;
+  correction_.CountSelection();
+  no_view_left_ = false;
+}
+
+void ViewPlanner::NoChoice(const Prospect& prospect, Utime now) {
+  // A goal that is all but reached is flown to its end; one that has been reached, or is worthless, is over.
+  const bool on_the_way = goal_ && goal_->looked_ahead && (state_->X_WB.p - goal_->view.p_W).norm() > 0.25;
+  if (on_the_way) {
+    goal_->finished = false;
+    return;
+  }
+  goal_.reset();
+  const bool none = prospect.candidates.views.empty();
+  retry_ = !none || prospect.candidates.untested > 0 || prospect.some_taken;
+  const bool all_tested = none && !retry_ && looks_.empty() && now > first_map_ + FromSeconds(kWarmUp_s);
+  // Before it is said that nothing is left, verdicts from before the last discovery are tested anew.
+  const bool outdated = all_tested && memory_.RetestBefore(surface_.last_discovery()) > 0;
+  retry_ |= outdated || !all_tested;
+  no_view_left_ = none && (no_view_left_ || (all_tested && !outdated));
+}
+
+}  // namespace citrine::planner

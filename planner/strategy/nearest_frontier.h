@@ -1,0 +1,13 @@
+#pragma once
+
+#include "planner/strategy/strategy.h"
+
+namespace citrine::planner {
+
+/// The plainest decision there is: the nearest view (Yamauchi 1997). What every other strategy has to beat.
+class NearestFrontier : public Strategy {
+ public:
+  std::optional<Choice> Choose(const Situation& situation, const Accept& accept) override;
+};
+
+}  // namespace citrine::planner

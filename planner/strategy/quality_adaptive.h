@@ -1,0 +1,18 @@
+#pragma once
+
+#include "planner/strategy/strategy.h"
+
+namespace citrine::planner {
+
+/// The paper's decision (IV-B, IV-C): the view with the largest alpha J_I + beta J_N + gamma J_C; under an imbalance
+/// correction J_C is 0 for views of elements outside the UAV's own Voronoi cell (eq. 16).
+class QualityAdaptive : public Strategy {
+ public:
+  explicit QualityAdaptive(const ScoreWeights& weights) : weights_(weights) {}
+  std::optional<Choice> Choose(const Situation& situation, const Accept& accept) override;
+
+ private:
+  ScoreWeights weights_;
+};
+
+}  // namespace citrine::planner

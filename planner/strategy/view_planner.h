@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/mission_config.h"
+#include "core/fleet/fleet_status.h"
+#include "core/trajectory/path.h"
+#include "core/trajectory/trajectory.h"
+#include "core/vehicle/uav_state.h"
+#include "planner/fleet/divide_work.h"
+#include "planner/fleet/fleet_correction.h"
+#include "planner/fleet/fleet_view.h"
+#include "planner/path/reachable_set.h"
+#include "planner/strategy/candidate_views.h"
+#include "planner/strategy/element_memory.h"
+#include "planner/strategy/looks.h"
+#include "planner/strategy/strategy.h"
+
+namespace citrine::planner {
+
+/// One UAV's planner: when to decide, on what, and what to make of the outcome (paper, IV).
+///
+/// A decision is triggered at the start, shortly before the committed trajectory comes to rest at the goal, when the goal
+/// is reached, blocked or has become worthless, and twice a second while there is none. It takes effect a fixed
+/// mission time later, after those of living mates of lower id that were triggered no later.
+class ViewPlanner {
+ public:
+  /// The way to a view. nullopt: there is none
+  using FindPath = std::function<std::optional<Path>(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
+                                                     const std::vector<PlanningMap::Ball>& avoid)>;
+
+  /// @param map followed, not copied  @throws ConfigError for an unknown strategy
+  ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, FindPath find_path, LengthsFrom lengths_from);
+  ~ViewPlanner();
+
+  void HearState(int uav, const UavState& state, Utime now);
+  void HearStatus(int uav, const FleetStatus& status, Utime now);
+  void HearAssignment(const FleetAssignment& assignment, Utime now);
+  void HearFlight(const FlightStatus& flight) { flight_ = flight; }
+  void HearTrajectory(const Trajectory& trajectory) { trajectory_ = trajectory; }
+
+  /// Follows the map, after it has changed.
+  void HearMap(Utime now);
+
+  /// What a step brought about.
+  struct Outcome {
+    bool decided = false;      ///< a decision took effect
+    bool new_path = false;     ///< path() is a new one
+    bool corrected = false;    ///< assignment() is a new one
+    std::size_t views = 0, elements = 0;
+  };
+  Outcome Tick(Utime now, std::int64_t map_version);
+
+  FleetStatus Status() const;
+  /// The newest path. nullptr: none yet
+  const Path* path() const { return path_ ? &*path_ : nullptr; }
+  /// This UAV's own correction, while it is to be said. nullptr: none
+  const FleetAssignment* assignment(Utime now) const { return correction_.OwnToRepeat(now); }
+  /// Of the view flown to.
+  const Score& last_score() const { return last_score_; }
+
+ private:
+  struct Goal {
+    View view;
+    std::vector<std::uint32_t> seen;      ///< elements that a look from there should settle
+    std::vector<std::uint32_t> made_for;  ///< of them, those near the one that the view was made for, and that one
+    Utime deadline = 0;
+    bool finished = false;                ///< reached, or as good as
+    bool looked_ahead = false;
+  };
+  struct Blocked {
+    Eigen::Vector3d p_W;
+    Utime until;
+  };
+  struct Prospect;
+
+  TrajectoryPoint Ahead(Utime now) const;
+  void Trigger(Utime now);
+  bool GoalCallsForDecision(Utime now);
+  bool GoalWorthless() const;
+  bool LooksAheadNow(Utime now) const;
+  void GoalBlocked(Utime now);
+  bool IdleCallsForDecision(Utime now) const;
+  bool MateDecidesFirst(Utime now) const;
+
+  Outcome Decide(Utime now, std::int64_t map_version);
+  Prospect LookAround(const TrajectoryPoint& start, Utime now);
+  bool Balance(const Prospect& prospect, Utime now);
+  bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, Utime now) const;
+  std::optional<Choice> Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now, Path& path);
+  void Commit(const Prospect& prospect, const View& view, Path path, Utime now);
+  void NoChoice(const Prospect& prospect, Utime now);
+  void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now);
+  bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
+
+  MissionConfig config_;
+  int uav_;
+  const PlanningMap& map_;
+  FindPath find_path_;
+  LengthsFrom lengths_from_;
+  SensorWindow window_;
+  ActiveSurface surface_;
+  ReachableSet reachable_;
+  ViewGenerator generator_;
+  ElementMemory memory_;
+  Looks looks_;
+  FleetView fleet_;
+  FleetCorrection correction_;
+  std::unique_ptr<Strategy> strategy_;
+
+  std::optional<UavState> state_;
+  std::optional<Trajectory> trajectory_;
+  FlightStatus flight_;
+  std::optional<Goal> goal_;
+  std::optional<Path> path_;
+  std::vector<Blocked> blocked_;
+  Score last_score_;
+
+  std::optional<Utime> deciding_since_;
+  int waited_steps_ = 0;
+  Utime first_map_ = -1, last_decision_ = 0;
+  std::int64_t decided_on_ = -1;          ///< map revision of the last decision
+  std::int64_t decided_version_ = 0;
+  std::int64_t decisions_ = 0;
+  std::int32_t elements_active_ = 0;
+  bool no_view_left_ = false, retry_ = false, map_is_new_ = false;
+};
+
+}  // namespace citrine::planner
