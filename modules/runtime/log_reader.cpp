@@ -1,0 +1,97 @@
+#include "modules/runtime/log_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "modules/runtime/log_format.h"
+#include "modules/runtime/log_writer.h"
+
+namespace citrine {
+namespace {
+
+template <class Integer>
+Integer Parse(const std::array<unsigned char, log_format::kHeaderBytes>& header, std::size_t at) {
+  Integer value = 0;
+  for (std::size_t i = at; i < at + sizeof value; ++i) value = static_cast<Integer>(value << 8 | header[i]);
+  return value;
+}
+
+bool IsOfTheBus(const LogEvent& event) {
+  return event.channel == "LCM_SELF_TEST" || event.channel == "BUS_PROBE";
+}
+
+}  // namespace
+
+LogReader::LogReader(const std::string& path) : file_(path, std::ios::binary | std::ios::ate) {
+  if (!file_) throw std::runtime_error("cannot read the log '" + path + "'");
+  size_ = file_.tellg();
+}
+
+std::optional<LogEvent> LogReader::Next() {
+  const std::streamoff start = at_;
+  do {
+    if (auto event = ReadAt(at_)) {
+      if (at_ != start) ++damaged_;
+      at_ = file_.tellg();
+      return event;
+    }
+  } while (SkipToSync());
+  if (start != size_) ++damaged_;
+  at_ = size_;
+  return std::nullopt;
+}
+
+std::optional<LogEvent> LogReader::ReadAt(std::streamoff at) {
+  std::array<unsigned char, log_format::kHeaderBytes> header;
+  file_.clear();
+  file_.seekg(at);
+  if (!file_.read(reinterpret_cast<char*>(header.data()), header.size())) return std::nullopt;
+  const auto channel_size = Parse<std::uint32_t>(header, 20);
+  const auto data_size = Parse<std::uint32_t>(header, 24);
+  if (Parse<std::uint32_t>(header, 0) != log_format::kSync || channel_size == 0 ||
+      channel_size > log_format::kMaxChannelBytes || data_size > log_format::kMaxDataBytes)
+    return std::nullopt;
+  LogEvent event;
+  event.time = static_cast<Utime>(Parse<std::uint64_t>(header, 12));
+  event.channel.resize(channel_size);
+  event.bytes.resize(data_size);
+  file_.read(event.channel.data(), channel_size);
+  if (!file_.read(reinterpret_cast<char*>(event.bytes.data()), data_size)) return std::nullopt;
+  return event;
+}
+
+bool LogReader::SkipToSync() {
+  file_.clear();
+  file_.seekg(at_ + 1);
+  std::uint32_t word = 0;
+  for (int c; (c = file_.get()) != std::char_traits<char>::eof();) {
+    word = word << 8 | static_cast<std::uint32_t>(c);
+    if (word != log_format::kSync) continue;
+    at_ = static_cast<std::streamoff>(file_.tellg()) - 4;
+    return true;
+  }
+  return false;
+}
+
+std::vector<LogEvent> ReadInOrder(const std::string& path, RecordingFlaws* flaws) {
+  LogReader reader(path);
+  std::vector<LogEvent> events;
+  while (auto event = reader.Next())
+    if (!IsOfTheBus(*event)) events.push_back(std::move(*event));
+  std::sort(events.begin(), events.end());
+  const auto repeated = std::unique(events.begin(), events.end());
+  if (flaws) *flaws = {reader.damaged(), events.end() - repeated};
+  events.erase(repeated, events.end());
+  return events;
+}
+
+std::int64_t PutInOrder(const std::string& recording, const std::string& log, RecordingFlaws* flaws) {
+  const std::vector<LogEvent> events = ReadInOrder(recording, flaws);
+  LogWriter writer(log);
+  for (const LogEvent& event : events) writer.Write(event);
+  writer.Flush();
+  return writer.num_events();
+}
+
+}  // namespace citrine
