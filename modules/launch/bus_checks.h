@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace citrine {
+
+/// What can be wrong with a bus before anybody speaks on it.
+struct BusCheck {
+  bool opens = true;          ///< false: no multicast route, as a rule
+  bool hears_itself = true;   ///< false: the port is held by another program
+  std::string other_mission;  ///< whose CLOCK is heard; empty: none
+};
+
+/// Listens for `listen_s`, in a child process that leaves no thread, socket or warning of LCM's behind.
+BusCheck CheckBus(const std::string& url, double listen_s);
+
+/// The commands that mend it, for messages to the user.
+inline constexpr const char* kRouteMulticast =
+    "sudo ip link set lo multicast on && sudo ip route add 224.0.0.0/4 dev lo";
+inline constexpr const char* kAnotherPort = "export LCM_DEFAULT_URL='udpm://239.255.76.67:7668?ttl=0'";
+
+}  // namespace citrine

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "modules/launch/run_options.h"
+
+namespace citrine {
+
+/// How a command ends (design, section 4).
+enum ExitCode : int {
+  kCompleted = 0,
+  kWrongUse = 1,
+  kSetUpProblem = 2,
+  kNotCompleted = 3,  ///< or with a collision
+  kModuleDied = 4,
+  kInterrupted = 130,
+};
+
+// One function a command, in a file of its own. @return the exit code. @throws whatever makes it a set-up
+// problem
+
+int RunMission(const RunOptions& options);
+int Doctor();
+int ShowKeys();
+int ShowWorld(const std::string& file);
+int Report(const std::string& folder_or_log);
+
+}  // namespace citrine

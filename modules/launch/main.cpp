@@ -1,0 +1,112 @@
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+
+#include "core/config/config_file.h"
+#include "core/config/number_text.h"
+#include "modules/launch/commands.h"
+
+namespace citrine {
+namespace {
+
+/// "max" or a factor, as launch.pace has it.
+std::string PaceOf(const std::string& text) {
+  double factor = 0;
+  if (text == "max") return "0";
+  if (!CLI::detail::lexical_cast(text, factor) || !(factor > 0))
+    throw CLI::ValidationError("--pace", "must be a factor above 0, or max; is " + text);
+  return NumberText(factor);
+}
+
+struct RunCommand {
+  RunOptions options;
+  std::string strategy, uavs, seed, pace, out;
+  std::vector<std::string> set;
+  bool in_process = false, view = false, video = false;
+
+  explicit RunCommand(CLI::App& app) {
+    app.add_option("mission", options.mission, "A name in missions/, or a mission file")
+        ->required()
+        ->type_name("MISSION");
+    app.add_option("--strategy", strategy, "Who decides")->type_name("NAME");
+    app.add_option("--uavs", uavs, "UAVs in the fleet")->type_name("N")->check(CLI::Number);
+    app.add_option("--seed", seed, "Of sensor noise, spawns and first centroids")
+        ->type_name("K")
+        ->check(CLI::Number);
+    app.add_option("--pace", pace,
+                   "Mission seconds a second of the wall, or max: lockstep, as fast as it goes")
+        ->type_name("1|N|max");
+    auto* in_process_flag =
+        app.add_flag("--in-process", in_process, "All modules in one process, in lockstep");
+    app.add_flag("--isolate", options.isolate, "In a private network")->excludes(in_process_flag);
+    app.add_option("--world", options.world, "Another world than the mission's: SDFormat or a mesh")
+        ->type_name("FILE");
+    app.add_option("--out", out, "Result folder; default results/<mission>-<strategy>-<seed>")
+        ->type_name("DIR");
+    app.add_flag("--view", view, "Show the top-down picture in a window");
+    app.add_flag("--video", video, "Write topdown.mp4");
+    app.add_option("--set", set, "Any key of the mission file")
+        ->type_name("SECTION.KEY=VALUE")
+        ->allow_extra_args(false);
+  }
+
+  RunOptions Parsed() const {
+    RunOptions parsed = options;
+    const auto set_key = [&](const char* key, const std::string& value) {
+      if (!value.empty()) parsed.overrides.push_back(std::string(key) + "=" + value);
+    };
+    set_key("planner.strategy", strategy);
+    set_key("mission.uavs", uavs);
+    set_key("mission.seed", seed);
+    set_key("launch.pace", pace.empty() ? "" : PaceOf(pace));
+    set_key("launch.out", out);
+    if (in_process) set_key("launch.in_process", "true");
+    if (view) set_key("launch.view", "true");
+    if (video) set_key("launch.video", "true");
+    parsed.overrides.insert(parsed.overrides.end(), set.begin(), set.end());
+    return parsed;
+  }
+};
+
+int Main(int argc, char** argv) {
+  CLI::App app{
+      "A fleet of UAVs rebuilds an unknown place in 3D, to the fidelity asked for, in the least flight.",
+      "citrine"};
+  app.require_subcommand(1);
+  app.footer(
+      "build, test [LABEL]: of the script ./citrine. Example: ./citrine run house --uavs 3 --pace max");
+  int exit_code = kCompleted;
+  std::string world, results;
+
+  CLI::App* run = app.add_subcommand("run", "Fly a mission");
+  RunCommand run_command(*run);
+  run->final_callback([&] { exit_code = RunMission(run_command.Parsed()); });
+  app.add_subcommand("doctor", "What commonly breaks, and the command that mends it")->final_callback([&] {
+    exit_code = Doctor();
+  });
+  app.add_subcommand("config", "Every key: unit, default, range, meaning and source")->final_callback([&] {
+    exit_code = ShowKeys();
+  });
+  CLI::App* world_command = app.add_subcommand("world", "What a world file holds, and what is wrong with it");
+  world_command->add_option("file", world)->required()->type_name("FILE");
+  world_command->final_callback([&] { exit_code = ShowWorld(world); });
+  CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
+  report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
+  report->final_callback([&] { exit_code = Report(results); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kCompleted : kWrongUse;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "citrine: %s\n", error.what());
+    return kSetUpProblem;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace citrine
+
+int main(int argc, char** argv) { return citrine::Main(argc, argv); }

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "modules/channels.h"
+#include "modules/launch/flight.h"
+#include "modules/launch/interrupts.h"
+#include "modules/launch/mission_view.h"
+#include "modules/launch/process_list.h"
+#include "modules/launch/progress_line.h"
+#include "modules/launch/supervisor.h"
+#include "modules/runtime/log_reader.h"
+#include "modules/runtime/stopwatch.h"
+
+namespace citrine {
+namespace {
+
+constexpr int kLook_ms = 50;
+constexpr double kConfigPeriod_s = 5;  ///< of MISSION_CONFIG, in mission time
+constexpr int kLastWords = 8;
+constexpr double kRecorderReady_s = 5;  ///< the recorder's own test of the bus is heard sooner than that
+constexpr double kReplyToInterrupt_s = 20;
+constexpr double kWriteResults_s = 120;  ///< a mesh of a large world takes its time
+constexpr double kObey_s = 5;
+
+/// The mission's processes, from their start until the last of them has left.
+class ProcessFlight {
+ public:
+  ProcessFlight(const ResolvedMission& mission, const std::string& logs_folder, const std::string& url)
+      : flown_(mission.flown), supervisor_(logs_folder), bus_(url), progress_(stderr) {
+    view_.mission_id = mission.flown.mission_id;
+    view_.uavs.resize(static_cast<std::size_t>(mission.config.mission.uavs));
+    bus_.HearBytes(MissionView::kChannels, [this](const std::string& channel, const void* bytes, int size) {
+      view_.Hear(channel, bytes, size);
+    });
+  }
+
+  void StartRecorder(const ProcessSpec& recorder) {
+    bool ready = false;
+    bus_.HearBytes("LCM_SELF_TEST", [&ready](const std::string&, const void*, int) { ready = true; });
+    supervisor_.Start(recorder);
+    for (const Stopwatch since; !ready && since.ms() < kRecorderReady_s * 1e3;) Look();
+    if (!ready)
+      throw std::runtime_error("the recorder does not start: " +
+                               supervisor_.LastWords(kRecorder, kLastWords));
+  }
+
+  void Start(const std::vector<ProcessSpec>& modules) {
+    for (const ProcessSpec& module : modules) supervisor_.Start(module);
+  }
+
+  /// Looks on until the mission is over.
+  void Watch() {
+    bool told = false;
+    Stopwatch since_told;
+    while (!view_.done() && !death_ && supervisor_.runs(kTimeOwner)) {
+      Look();
+      progress_.Show(view_);
+      NoteDepartures();
+      if (Interrupts() > 1) return supervisor_.SignalAllBut(kRecorder, SIGKILL);
+      if (Interrupts() > 0 && !told) {
+        told = true;
+        since_told = Stopwatch();
+        supervisor_.Signal(kTimeOwner, SIGINT);
+      }
+      if (told && since_told.ms() > kReplyToInterrupt_s * 1e3) return;
+    }
+  }
+
+  /// Lets everybody write what is to be written; then the recorder closes the log.
+  void WindDown() {
+    if (!supervisor_.runs(kTimeOwner) && !view_.done())
+      supervisor_.SignalAllBut(kRecorder, SIGTERM);  // nobody will tell them that the mission is over
+    else if (death_)
+      supervisor_.Signal(kTimeOwner, SIGINT);
+    if (death_ && Wait(kWriteResults_s, {kTimeOwner, kRecorder}))
+      supervisor_.Signal(kTimeOwner, SIGTERM);  // it would wait for the dead
+    if (!Wait(kWriteResults_s, {kRecorder})) supervisor_.SignalAllBut(kRecorder, SIGTERM);
+    if (!Wait(kObey_s, {kRecorder})) supervisor_.SignalAllBut(kRecorder, SIGKILL);
+    supervisor_.Signal(kRecorder, SIGTERM);
+    Wait(kObey_s, {});
+    progress_.Finish();
+  }
+
+  std::string StopReason() const {
+    if (death_) return "module_died";
+    if (Interrupts() > 0) return "interrupted";
+    return view_.done() ? view_.clock->reason : "module_died";
+  }
+  const std::optional<std::string>& death() const { return death_; }
+
+ private:
+  /// Takes over what is said, and says what is flown.
+  void Look() {
+    bus_.Handle(kLook_ms);
+    if (!view_.clock || !say_config_.Due(view_.clock->utime)) return;
+    bus_.BeginStep({view_.clock->step, view_.clock->utime, view_.done()}, false);
+    bus_.Publish(channels::kMissionConfig, Encode(flown_));
+  }
+
+  /// Waits until nobody but `staying` runs. @return false if that takes longer than `most_s`
+  bool Wait(double most_s, const std::set<std::string>& staying) {
+    const auto others_run = [&] {
+      const std::vector<std::string> running = supervisor_.running();
+      return std::any_of(running.begin(), running.end(),
+                         [&](const auto& name) { return !staying.contains(name); });
+    };
+    for (const Stopwatch since; others_run() && since.ms() < most_s * 1e3;) {
+      Look();
+      NoteDepartures();
+      if (Interrupts() > 1) supervisor_.SignalAllBut(kRecorder, SIGKILL);
+    }
+    return !others_run();
+  }
+
+  /// Whoever leaves in order after the end leaves as it should; anybody else has died.
+  void NoteDepartures() {
+    for (const Departure& departure : supervisor_.TakeDepartures()) {
+      if (departure.orderly() && (view_.done() || departure.name == kTimeOwner)) continue;
+      if (departure.name == kRecorder && (view_.done() || death_)) continue;
+      if (death_ || Interrupts() > 0) continue;
+      death_ = departure.name + " " + departure.how();
+      progress_.Finish();
+      std::fprintf(stderr, "citrine: %s; log: %s; its last lines:\n%s", death_->c_str(),
+                   supervisor_.LogFile(departure.name).c_str(),
+                   supervisor_.LastWords(departure.name, kLastWords).c_str());
+    }
+  }
+
+  MissionConfigText flown_;
+  Supervisor supervisor_;
+  Bus bus_;
+  Every say_config_{kConfigPeriod_s};
+  MissionView view_;
+  ProgressLine progress_;
+  std::optional<std::string> death_;
+};
+
+}  // namespace
+
+Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission_file,
+                      const std::string& url) {
+  const std::filesystem::path out = mission.config.launch.out;
+  const std::filesystem::path logs = out / "logs", recorded = out / "recorded.lcmlog";
+  std::filesystem::create_directories(logs);
+  const Stopwatch stopwatch;
+  Flight flight;
+  {
+    ProcessFlight processes(mission, logs, url);
+    processes.StartRecorder(RecorderProcess(url, recorded));
+    processes.Start(ModuleProcesses(mission.config, mission_file, url));
+    processes.Watch();
+    flight.wall_time_s = stopwatch.ms() / 1e3;
+    processes.WindDown();
+    flight.stop_reason = processes.StopReason();
+    flight.death = processes.death();
+  }
+  PutInOrder(recorded, out / "mission.lcmlog");
+  std::filesystem::remove(recorded);
+  return flight;
+}
+
+}  // namespace citrine

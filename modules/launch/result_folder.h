@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "modules/launch/mission_resolver.h"
+
+namespace citrine {
+
+/// Makes the mission's result folder, takes away the results of an earlier mission, and writes the resolved
+/// mission.toml. Files of other names stay. @return the mission file's path
+/// @throws std::filesystem::filesystem_error, std::runtime_error if it cannot be written
+std::string PrepareResultFolder(const ResolvedMission& mission);
+
+}  // namespace citrine

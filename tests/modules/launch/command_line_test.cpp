@@ -1,0 +1,58 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/citrine_command.h"
+
+namespace citrine {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(CommandLine, HelpIsNotAMistake) {
+  const CommandResult help = RunCitrine("--help");
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* command : {"run", "doctor", "config", "world", "report"})
+    EXPECT_THAT(help.output, HasSubstr(command));
+}
+
+TEST(CommandLine, WrongUseExitsWithOne) {
+  EXPECT_EQ(RunCitrine("").exit_code, 1);
+  EXPECT_EQ(RunCitrine("fly house").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run house --pase 2").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run house --pace fast").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run house --pace -1").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run house --uavs three").exit_code, 1);
+  EXPECT_EQ(RunCitrine("run house --in-process --isolate").exit_code, 1);
+}
+
+TEST(CommandLine, AMissionThatIsNotThereExitsWithTwoAndNamesTheNearest) {
+  const CommandResult run = RunCitrine("run hose");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("did you mean house?"));
+}
+
+TEST(CommandLine, AConfigurationThatCannotBeUsedExitsWithTwoInOneLine) {
+  const CommandResult run = RunCitrine("run house --set mission.uav_count=3");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("mission.uav_count: unknown key; did you mean mission.uavs?"));
+  EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1);
+  EXPECT_THAT(RunCitrine("run house --uavs 99").output,
+              HasSubstr("mission.uavs: must be an integer in [1, 15], is 99"));
+}
+
+TEST(CommandLine, AWorldThatIsNotThereExitsWithTwo) {
+  const CommandResult run = RunCitrine("run smoke --in-process --world nowhere.sdf");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("mission.world: no file 'nowhere.sdf'"));
+}
+
+TEST(CommandLine, ConfigShowsEveryKey) {
+  const CommandResult config = RunCitrine("config");
+  EXPECT_EQ(config.exit_code, 0);
+  EXPECT_THAT(config.output, HasSubstr("mission.time_limit_s"));
+  EXPECT_THAT(config.output, HasSubstr("launch.on_death"));
+}
+
+}  // namespace
+}  // namespace citrine
