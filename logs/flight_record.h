@@ -42,7 +42,6 @@ struct FlightRecord {
   std::map<std::string, std::vector<float>> samples;     ///< health samples of all modules, by name
   std::map<std::string, std::int64_t> bytes_by_channel;  ///< payload
   std::int64_t messages_lost = 0;
-  std::optional<double> peak_memory_mb;
 };
 
 }  // namespace citrine::logs

@@ -20,20 +20,20 @@ h1 { font-size: 24px; margin: 0 0 4px; } h2 { font-size: 18px; margin: 32px 0 10
 .soft { color: var(--soft); }
 .verdict { padding: 10px 14px; border-left: 5px solid; background: var(--card); font-weight: 600; }
 .good { border-color: var(--good); } .bad { border-color: var(--bad); }
-.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 14px; align-items: start; }
-.tables { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 14px; align-items: start; }
+.figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(400px, 1fr)); gap: 14px; align-items: start; }
+.tables { columns: 2 400px; column-gap: 28px; } .tables table { break-inside: avoid; margin-bottom: 18px; }
 figure { margin: 0; padding: 10px; background: var(--card); border-radius: 6px; }
 figcaption, caption { font-weight: 600; text-align: left; padding-bottom: 6px; }
 .legend { float: right; font-weight: 400; color: var(--soft); font-size: 13px; } .legend > span { margin-left: 10px; }
 .legend i { display: inline-block; width: 14px; height: 3px; margin-right: 4px; vertical-align: middle; background: var(--c); }
 svg { width: 100%; height: auto; display: block; } svg text { font-size: 11px; fill: var(--soft); }
-img { max-width: 100%; display: block; border-radius: 6px; }
+img { max-width: 100%; max-height: 820px; display: block; border-radius: 6px; }
 table { border-collapse: collapse; width: 100%; } th, td { padding: 3px 8px; border-bottom: 1px solid var(--rule); }
 th { font-weight: 400; text-align: left; color: var(--soft); } td { text-align: right; font-variant-numeric: tabular-nums; }
-.numbers td { overflow-wrap: anywhere; } .paper tr:first-of-type th:not(:first-child) { text-align: right; }
+.numbers td { width: 45%; } .paper tr:first-of-type th:not(:first-child) { text-align: right; }
 .paper { background: var(--card); } .ours th, .ours td { font-weight: 600; color: var(--ink); }
 pre { background: var(--card); padding: 12px; overflow-x: auto; border-radius: 6px; font-size: 13px; }
-.axis { stroke: var(--soft); } .grid .grid { stroke: var(--rule); } .frame { fill: none; stroke: var(--rule); }
+.axis { stroke: var(--soft); } .grid { stroke: var(--rule); } .frame { fill: none; stroke: var(--rule); }
 .limit { stroke: var(--bad); stroke-dasharray: 5 4; } .dashed { stroke-dasharray: 5 4; }
 .curve { fill: none; stroke: var(--c); stroke-width: 1.5; stroke-linejoin: round; }
 .bar, .dot { fill: var(--c); } .ring { fill: none; stroke: var(--c); stroke-width: 2; }
@@ -71,9 +71,9 @@ std::string ReportHtml(const ReportPage& page) {
   html += VerdictLine(page) + PaperTable(page) + Notes(page.notes);
   html += Section("Numbers", "tables", NumberTables(page));
   html += Picture(page.topdown_png);
-  html += Section("Flight", "grid", FlightPlots(page));
-  html += Section("Map", "grid", ProgressPlots(page.record));
-  html += Section("System", "grid", SystemPlots(page.record));
+  html += Section("Flight", "figures", FlightPlots(page));
+  html += Section("Map", "figures", ProgressPlots(page.record));
+  html += Section("System", "figures", SystemPlots(page.record));
   if (!page.command.empty()) html += "<h2>Fly it again</h2>\n<pre>" + Escape(page.command) + "</pre>\n";
   html += "<h2>Configuration</h2>\n<pre>" + Escape(page.config_toml) + "</pre>\n</body>\n</html>\n";
   return html;
