@@ -1,6 +1,9 @@
 #include "modules/launch/process_list.h"
 
+#include <algorithm>
 #include <filesystem>
+
+#include "modules/runtime/module_id.h"
 
 namespace citrine {
 namespace {
@@ -20,21 +23,16 @@ ProcessSpec RecorderProcess(const std::string& url, const std::string& log) {
 std::vector<ProcessSpec> ModuleProcesses(const MissionConfig& config, const std::string& mission_file,
                                          const std::string& url) {
   std::vector<ProcessSpec> processes;
-  const auto add = [&](const std::string& module) {
-    processes.push_back({module, {Program(module), "--lcm-url", url, "--mission", mission_file}});
-  };
-  const auto add_for_each_uav = [&](const std::string& module) {
-    for (int uav = 1; uav <= config.mission.uavs; ++uav)
-      processes.push_back(
-          {module + std::to_string(uav),
-           {Program(module), "--lcm-url", url, "--mission", mission_file, "--uav", std::to_string(uav)}});
-  };
-  add("lidar_emulator");
-  add("map_fusion");
-  add_for_each_uav("view_planner");
-  add_for_each_uav("trajectory_smoother");
-  add("topdown_renderer");
-  add(kTimeOwner);
+  for (const ModuleId& module : ModulesOf(config)) {
+    ProcessSpec process{module.name, {Program(module.name), "--lcm-url", url, "--mission", mission_file}};
+    if (module.uav > 0) {
+      process.name += std::to_string(module.uav);
+      process.arguments.insert(process.arguments.end(), {"--uav", std::to_string(module.uav)});
+    }
+    processes.push_back(process);
+  }
+  std::stable_partition(processes.begin(), processes.end(),
+                        [](const ProcessSpec& process) { return process.name != kTimeOwner; });
   return processes;
 }
 
