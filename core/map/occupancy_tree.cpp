@@ -46,9 +46,13 @@ void OccupancyTree::Update(const PlanningMap& map) {
 }
 
 std::vector<std::uint8_t> OccupancyTree::Bytes() const {
-  if (!impl_) return {};
+  // OctoMap's own writeBinary says "done." on the terminal; its header is this one.
+  const octomap::OcTree nothing(1.0);
+  const octomap::OcTree& tree = impl_ ? impl_->tree : nothing;
   std::ostringstream stream;
-  impl_->tree.writeBinaryConst(stream);
+  stream << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\nid "
+         << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
+  if (tree.size() > 0) tree.writeBinaryData(stream);
   const std::string text = stream.str();
   return {text.begin(), text.end()};
 }

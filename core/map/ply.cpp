@@ -106,7 +106,8 @@ TriMesh ReadPly(const std::string& path) {
   file.Expect("end_header");
   constexpr std::size_t kTriangleBytes = 13;
   const std::size_t vertex_bytes = confident ? 16 : 12;
-  if (num_vertices > file.left() / vertex_bytes || num_triangles > file.left() / kTriangleBytes)
+  if (num_vertices > file.left() / vertex_bytes ||
+      num_triangles > (file.left() - num_vertices * vertex_bytes) / kTriangleBytes)
     file.Refuse("fewer bytes than the header says follow");
 
   TriMesh mesh;

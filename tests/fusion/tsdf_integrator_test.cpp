@@ -42,17 +42,17 @@ void ForEachVoxel(const VoxelGrid& grid, Visit&& visit) {
   for (std::size_t i = 0; i < grid.num_voxels(); ++i) visit(grid.FromLinear(i));
 }
 
-/// Largest and mean error of distance over voxels in the band that were seen from within `range_m` of the sensor.
+/// Largest and mean error of distance over the known voxels of a part of the band around the true surface.
 struct Errors {
   double mean = 0, worst = 0;
   int count = 0;
 };
-Errors BandErrors(const TsdfMap& map, const AnalyticScene& scene, double band_m = 0.4) {
+Errors BandErrors(const TsdfMap& map, const AnalyticScene& scene, const Eigen::AlignedBox3d& part_W) {
   Errors errors;
   ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
     const Voxel voxel = At(map, v);
     const double truth = scene.Distance(map.grid().Centre(v));
-    if (!voxel.known() || std::abs(truth) > band_m) return;
+    if (!voxel.known() || std::abs(truth) > 0.4 || !part_W.contains(map.grid().Centre(v))) return;
     const double error = std::abs(voxel.distance_m - truth);
     errors.worst = std::max(errors.worst, error);
     errors.mean += error;
@@ -67,22 +67,24 @@ TEST(TsdfIntegrator, MeasuresAPlaneAlongItsNormalAtEveryIncidence) {
   scene.AddHalfSpace({-1, 0, 0}, -6.0);  // solid beyond x = 6
   TsdfMap map(Grid(), kTruncation_m);
   TsdfIntegrator(map, WeightPolicy::kBestView).Integrate(scene.Scan(At(0, 0, 4, 0.1, -0.05, 0.7)));
-  const Errors errors = BandErrors(map, scene);
+  // Within 9 m: beyond lie voxels before the plane whose beam meets it out of range.
+  const Errors errors = BandErrors(map, scene, {Eigen::Vector3d(5, -6, 1), Eigen::Vector3d(7, 6, 7)});
   EXPECT_GT(errors.count, 2000);
-  EXPECT_LT(errors.mean, 0.01);  // inverse range is exact on planes; the rest is the image's border
+  EXPECT_LT(errors.mean, 0.01);  // inverse range is linear on planes but for the curvature between two rings
   EXPECT_LT(errors.worst, 0.5 * kVoxel_m);
 }
 
-TEST(TsdfIntegrator, MeasuresASphereWithinHalfAVoxelOnAverage) {
+TEST(TsdfIntegrator, MeasuresASphereWithinATenthOfAVoxelOnAverage) {
   AnalyticScene scene;
   scene.AddSphere({0, 0, 4}, 2.0);
   TsdfMap map(Grid(), kTruncation_m);
   TsdfIntegrator integrator(map, WeightPolicy::kBestView);
   for (int i = 0; i < 12; ++i)
     integrator.Integrate(scene.Scan(At(6 * std::cos(i * EIGEN_PI / 6), 6 * std::sin(i * EIGEN_PI / 6), 4)));
-  const Errors errors = BandErrors(map, scene);
+  // Near the poles the sensors, all at the equator's height, only graze it.
+  const Errors errors = BandErrors(map, scene, {Eigen::Vector3d(-3, -3, 3), Eigen::Vector3d(3, 3, 5)});
   EXPECT_GT(errors.count, 1000);
-  EXPECT_LT(errors.mean, 0.15 * kVoxel_m);
+  EXPECT_LT(errors.mean, 0.1 * kVoxel_m);
 }
 
 TEST(TsdfIntegrator, AgreesWithTheExactRaysOnTheClassOfVoxels) {
