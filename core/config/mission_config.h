@@ -154,9 +154,9 @@ struct PlannerSection {
 /// [smoother]
 struct SmootherSection {
   double replan_ahead_s = 0.12;
-  double weight_time = 30;
+  double weight_time = 100;
   double weight_clearance = 2000;
-  double weight_limits = 10;
+  double weight_limits = 30000;
   int evaluations_max = 200;
   double guard_hz = 20;
 

@@ -16,9 +16,9 @@ class LatticeSearch {
   /// @param cost (voxel, linear) -> 0: closed, else what a step into it costs relative to `kUnitCost`. Also asked halfway
   ///        between nodes if the stride is even.
   /// @param tolerance_vox the goal is met within this many voxels along every axis
-  /// @return the nodes from `from` to the goal; empty: there is no way
+  /// @return the nodes from `from` to the goal; empty: there is no way, or none was found in `closed_max` nodes
   template <class Cost>
-  std::vector<VoxelIndex> Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox, Cost&& cost);
+  std::vector<VoxelIndex> Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox, int closed_max, Cost&& cost);
 
   static constexpr std::uint32_t kUnitCost = 4;
 

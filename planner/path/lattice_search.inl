@@ -13,13 +13,14 @@ inline constexpr std::array<std::uint32_t, 4> kStepLength = {0, 10, 14, 17};
 
 template <class Cost>
 std::vector<VoxelIndex> LatticeSearch::Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox,
-                                            Cost&& cost) {
+                                            int closed_max, Cost&& cost) {
   Begin(from);
   const VoxelIndex lo = grid_.inside_min(), hi = grid_.inside_max();
-  while (!open_.empty()) {
+  for (int closed = 0; !open_.empty() && closed < closed_max;) {
     const Open here = Pop();
     if (nodes_[here.node].closed) continue;
     nodes_[here.node].closed = true;
+    ++closed;
     const VoxelIndex v = VoxelOf(here.node);
     if ((v - to).cwiseAbs().maxCoeff() <= tolerance_vox) return Trace(here.node);
     for (std::size_t n = 0; n < kN26.size(); ++n) {

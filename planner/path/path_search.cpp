@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kGoalTolerance_m = 0.25;  ///< a view counts as reached within it (design, section 6)
 constexpr double kShortest_m = 0.3;        ///< of a way towards a goal that cannot be reached
+constexpr int kReachableMax = 100000;      ///< nodes looked at for a goal that is known to be connected
+constexpr int kHopefulMax = 8000;          ///< and for one that may not be
 constexpr std::uint32_t kUnit = LatticeSearch::kUnitCost;
 
 bool InsideABall(const Eigen::Vector3d& p_W, const std::vector<Ball>& balls) {
@@ -36,6 +38,7 @@ std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen
   const std::optional<VoxelIndex> from = space.NearestSafeVoxel(start_W, 3.0);
   if (!from) return std::nullopt;
   const std::vector<Ball> balls = BallsAround(avoid, start_W);
+  if (InsideABall(goal_W, balls)) return std::nullopt;
 
   Path path;
   path.limits = limits_;
@@ -70,8 +73,8 @@ std::vector<VoxelIndex> PathSearch::WayTo(const VoxelIndex& from, const VoxelInd
     if (!avoid.empty() && InsideABall(grid.Centre(v), avoid)) return 0;
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
-  std::vector<VoxelIndex> way = coarse_.Find(from, to, 1, cost);
-  if (way.empty()) way = fine_.Find(from, to, 0, cost);
+  std::vector<VoxelIndex> way = coarse_.Find(from, to, 1, kReachableMax, cost);
+  if (way.empty()) way = fine_.Find(from, to, 0, kReachableMax, cost);
   return way;
 }
 
@@ -88,7 +91,7 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
     if (!reachable_.ReachesInside(v)) return 2 * kUnit;
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
-  std::vector<VoxelIndex> way = coarse_.Find(from, goal, tolerance, cost);
+  std::vector<VoxelIndex> way = coarse_.Find(from, goal, tolerance, kHopefulMax, cost);
   const auto first_beyond =
       std::find_if(way.begin(), way.end(), [&](const VoxelIndex& v) { return !reachable_.ReachesInside(v); });
   way.erase(first_beyond, way.end());

@@ -13,6 +13,7 @@ namespace citrine::planner {
 namespace {
 
 constexpr int kCellVoxels = 4;
+constexpr int kEmptyMin = 48;  ///< of a cell's 64 voxels: a thin wall closes one of the two cells that it lies in
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -25,7 +26,7 @@ TopologicalGrid::TopologicalGrid(const PlanningMap& map)
 void TopologicalGrid::ReadMap() {
   if (revision_ == map_.revision()) return;
   revision_ = map_.revision();
-  free_.assign(static_cast<std::size_t>(size_.prod()), 0);
+  std::vector<std::uint8_t> empty_voxels(static_cast<std::size_t>(size_.prod()), 0);
   const VoxelGrid& grid = map_.grid();
   const VoxelIndex lo = grid.inside_min(), hi = grid.inside_max();
   for (int z = lo.z(); z < hi.z(); ++z)
@@ -33,9 +34,12 @@ void TopologicalGrid::ReadMap() {
       const std::size_t row = grid.Linear({0, y, z});
       const int cells = size_.x() * (y / kCellVoxels + size_.y() * (z / kCellVoxels));
       for (int x = lo.x(); x < hi.x(); ++x)
-        free_[static_cast<std::size_t>(cells + x / kCellVoxels)] |=
+        empty_voxels[static_cast<std::size_t>(cells + x / kCellVoxels)] +=
             map_.state(row + static_cast<std::size_t>(x)) == VoxelState::kEmpty;
     }
+  free_.resize(empty_voxels.size());
+  std::transform(empty_voxels.begin(), empty_voxels.end(), free_.begin(),
+                 [](std::uint8_t empty) { return empty > kEmptyMin; });
 }
 
 int TopologicalGrid::CellOf(const Eigen::Vector3d& p_W) const {

@@ -9,7 +9,7 @@
 
 namespace citrine::planner {
 
-/// Cells of four voxels that contain known free space, as neighbours over faces, edges and corners: how far it is from
+/// Cells of four voxels a side that are for the most part known to be free, as neighbours over faces, edges and corners: how far it is from
 /// here to there, roughly, for the assignment of a balanced fleet (paper, IV-C).
 class TopologicalGrid {
  public:

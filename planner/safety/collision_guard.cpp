@@ -8,13 +8,14 @@ namespace citrine::planner {
 namespace {
 
 constexpr double kReaction_s = 0.2;
-constexpr double kHorizonMin_s = 1.5, kHorizonSpare_s = 0.5;
+constexpr double kHorizonSpare_s = 0.5;
 constexpr double kImminent_s = 0.6;         ///< before stopping takes as long as there is
 constexpr Utime kSample = 50'000;
 constexpr Utime kStale = 500'000;           ///< an older scan says nothing about now
 // The map's distances are those of voxel centres: a committed way may pass that much nearer to the very surface.
 constexpr double kMapError_m = 0.2;
 constexpr double kNearing_m = 0.05;
+constexpr double kMoving_mps = 0.1;
 constexpr double kTeammateSize_m = 0.3;     ///< hits this far beyond the radius around a teammate are the teammate
 
 }  // namespace
@@ -39,15 +40,23 @@ void CollisionGuard::HearScan(const LidarScan& scan) {
   }
 }
 
-std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene) const {
+std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
+                                              double horizon_s) const {
+  if (measured_ < 0 || now - measured_ > kStale) return std::nullopt;
   const TrajectoryPoint here = committed.At(now);
-  const double speed = here.v_W.norm();
-  if (speed < 0.1 || now - measured_ > kStale || measured_ < 0) return std::nullopt;
-  const Eigen::Vector3d ahead = here.v_W / speed;
-  const double length = BoxLength(speed);
-  const double horizon_s = std::max(kHorizonMin_s, speed / limits_.acceleration_max_mps2 + kHorizonSpare_s);
+  horizon_s = std::max(horizon_s, here.v_W.norm() / limits_.acceleration_max_mps2 + kHorizonSpare_s);
   std::vector<Eigen::Vector3d> way_W;
-  for (Utime t = now; t < now + FromSeconds(horizon_s); t += kSample) way_W.push_back(committed.At(t).p_W);
+  double speed = 0;
+  for (Utime t = now; t < now + FromSeconds(horizon_s); t += kSample) {
+    const TrajectoryPoint x = committed.At(t);
+    way_W.push_back(x.p_W);
+    speed = std::max(speed, x.v_W.norm());
+  }
+  const bool moves = here.v_W.norm() > kMoving_mps;
+  const Eigen::Vector3d travel = moves ? here.v_W : Eigen::Vector3d(way_W.back() - way_W.front());
+  if (speed < kMoving_mps || travel.norm() < kNearing_m) return std::nullopt;
+  const Eigen::Vector3d ahead = travel.normalized();
+  const double length = BoxLength(speed);
 
   std::optional<Utime> first;
   for (const Eigen::Vector3d& hit_W : hits_W_) {

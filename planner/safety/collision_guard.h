@@ -30,8 +30,10 @@ class CollisionGuard {
 
   GuardVerdict Check(const Trajectory& committed, Utime now, const FlightScene& scene) const;
 
-  /// When the committed trajectory would come too close to a hit in the box. nullopt: it does not
-  std::optional<Utime> FindHit(const Trajectory& committed, Utime now, const FlightScene& scene) const;
+  /// When a trajectory would come too close to a hit in the box. nullopt: it does not within the horizon, or not before
+  /// it could stop if that is longer
+  std::optional<Utime> FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
+                               double horizon_s = 1.5) const;
   /// Conflicts that this UAV has to solve: with a lower id, with one that stands still and cannot, or one that nobody has
   /// solved in time.
   std::optional<Violation> FindConflictToSolve(const Trajectory& committed, Utime now, const FlightScene& scene) const;

@@ -13,6 +13,7 @@ namespace {
 constexpr double kReached_m = 0.25;
 constexpr Utime kRetry = 500'000;
 constexpr Utime kPatience = 2'000'000;   ///< at rest short of the path's end
+constexpr double kCommitHorizon_s = 6;   ///< in which a new trajectory must stay clear of the newest scan
 constexpr int kFailuresMax = 3;
 constexpr Utime kSample = 50'000;
 constexpr double kClearer_m = 0.01;
@@ -77,7 +78,7 @@ void FlightExecutive::Act(Utime now, bool map_changed) {
 bool FlightExecutive::Replan(Utime now) {
   planned_ = true;
   const FlightPlanner::Task task{*committed_, now, now + FromSeconds(settings_.replan_ahead_s), path_, scene_};
-  const auto accept = [&](const Trajectory& found) { return !guard_.FindHit(found, task.at, scene_); };
+  const auto accept = [&](const Trajectory& found) { return !guard_.FindHit(found, task.at, scene_, kCommitHorizon_s); };
   std::optional<Trajectory> found = planner_.Plan(task, accept, &reason_);
   if (!found) return false;
   Commit(std::move(*found), false);

@@ -15,6 +15,8 @@ constexpr double kPiece_s = 0.06;     ///< of the fit to the slowed motion
 constexpr double kHardRamp_s = 0.15;
 constexpr double kShortest_s = 0.3;
 constexpr double kFading_s = 0.3;
+constexpr double kInstant_s = 1e-9;
+constexpr double kFitTolerance = 1.005;
 constexpr double kStill_mps = 1e-4;
 
 /// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of `ramp_s`.
@@ -57,15 +59,20 @@ bool WithinLimits(const std::vector<TrajectorySegment>& pieces, double accelerat
 }
 
 std::vector<TrajectorySegment> Fit(const Trajectory& flown, Utime at, const Slowing& slowing) {
-  const int pieces = static_cast<int>(std::ceil(slowing.duration_s() / kPiece_s));
-  const double piece_s = slowing.duration_s() / pieces;
   std::vector<TrajectorySegment> segments;
   Knot from = Slowed(flown, at, slowing, 0);
-  for (int i = 1; i <= pieces; ++i) {
-    Knot to = Slowed(flown, at, slowing, i * piece_s);
-    if (i == pieces) to.v = to.a = Eigen::Vector3d::Zero();
-    segments.push_back(Quintic(from, to, piece_s));
-    from = to;
+  double begin_s = 0;
+  // A piece never spans two phases: along a straight, steady motion every phase is a cubic, and the fit exact.
+  for (const double phase_s : {slowing.ramp_s, slowing.hold_s, slowing.ramp_s}) {
+    const int pieces = static_cast<int>(std::ceil(phase_s / kPiece_s));
+    for (int i = 1; i <= pieces; ++i) {
+      const double end_s = begin_s + phase_s * i / pieces;
+      Knot to = Slowed(flown, at, slowing, end_s);
+      if (end_s > slowing.duration_s() - kInstant_s) to.v = to.a = Eigen::Vector3d::Zero();
+      segments.push_back(Quintic(from, to, phase_s / pieces));
+      from = to;
+    }
+    begin_s += phase_s;
   }
   return segments;
 }
@@ -86,7 +93,7 @@ std::vector<TrajectorySegment> BrakeAlong(const Trajectory& flown, Utime at, con
     const Slowing slowing{ramp_s, fall_s - ramp_s};
     if (slowing.duration_s() / 2 >= left_s) return Cut(flown, at, flown.end());
     segments = Fit(flown, at, slowing);
-    if (WithinLimits(segments, a)) break;
+    if (WithinLimits(segments, kFitTolerance * a)) break;
   }
   double duration_s = 0;
   for (const TrajectorySegment& segment : segments) duration_s += segment.duration_s;

@@ -11,9 +11,9 @@ namespace citrine::planner {
 
 /// What flying badly costs, relative to a unit of jerk energy.
 struct FlightWeights {
-  double time = 30;          ///< a second
+  double time = 100;         ///< a second
   double clearance = 2000;   ///< to occupied and to unknown, and to the volume's faces
-  double limits = 10;        ///< of speed and acceleration
+  double limits = 30000;      ///< of speed and acceleration
   double teammates = 2000;
 };
 
