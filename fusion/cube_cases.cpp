@@ -8,7 +8,8 @@ namespace {
 
 using Face = std::array<int, 4>;  // its corners, counter-clockwise seen from outside the cube
 
-constexpr std::array<Face, 6> kFaces{{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+constexpr std::array<Face, 6> kFaces{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
 CubeEdge Between(int a, int b) {
   const int axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2;
@@ -24,7 +25,8 @@ std::vector<CubeTriangle> Triangles(int inside) {
       if (is_inside(face[begin]) || !is_inside(face[(begin + 1) % 4])) continue;
       int end = (begin + 1) % 4;
       while (is_inside(face[(end + 1) % 4])) end = (end + 1) % 4;
-      segments.push_back({Between(face[begin], face[(begin + 1) % 4]), Between(face[end], face[(end + 1) % 4])});
+      segments.push_back(
+          {Between(face[begin], face[(begin + 1) % 4]), Between(face[end], face[(end + 1) % 4])});
     }
   std::vector<CubeTriangle> triangles;
   while (!segments.empty()) {
@@ -33,7 +35,8 @@ std::vector<CubeTriangle> Triangles(int inside) {
     segments.pop_back();
     while (next != loop.front()) {
       loop.push_back(next);
-      const auto on = std::find_if(segments.begin(), segments.end(), [&](const auto& s) { return s.first == next; });
+      const auto on =
+          std::find_if(segments.begin(), segments.end(), [&](const auto& s) { return s.first == next; });
       next = on->second;
       segments.erase(on);
     }

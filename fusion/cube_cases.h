@@ -14,9 +14,9 @@ struct CubeEdge {
 };
 using CubeTriangle = std::array<CubeEdge, 3>;
 
-/// The triangles of marching cubes for each of the 256 sets of corners inside (Lorensen & Cline 1987), derived rather
-/// than tabulated: every face cuts off its runs of inside corners, so that neighbouring cubes always agree and the
-/// surface is closed (the ambiguous faces, too). Counter-clockwise seen from outside.
+/// The triangles of marching cubes for each of the 256 sets of corners inside (Lorensen & Cline 1987),
+/// derived rather than tabulated: every face cuts off its runs of inside corners, so that neighbouring cubes
+/// always agree and the surface is closed (the ambiguous faces, too). Counter-clockwise seen from outside.
 const std::array<std::vector<CubeTriangle>, 256>& CubeCases();
 
 }  // namespace citrine::fusion

@@ -56,8 +56,8 @@ inline Lanes Atan2(Lanes y, Lanes x) {
   const Lanes ax = Abs(x), ay = Abs(y);
   const Lanes t = Min(ax, ay) / Max(Max(ax, ay), 1e-30f), s = t * t;
   Lanes p = 0.007648353926762766f;
-  for (const float c : {-0.03636043085731773f, 0.08312645300619582f, -0.13447864058090495f, 0.19872040268214597f,
-                        -0.33325678039723927f, 0.9999992255890977f})
+  for (const float c : {-0.03636043085731773f, 0.08312645300619582f, -0.13447864058090495f,
+                        0.19872040268214597f, -0.33325678039723927f, 0.9999992255890977f})
     p = p * s + c;
   p = p * t;
   p = Select(ay > ax, Lanes(1.57079632679f) - p, p);

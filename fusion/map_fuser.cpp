@@ -6,7 +6,8 @@
 
 namespace citrine::fusion {
 
-MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation, WeightPolicy policy)
+MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation,
+                   WeightPolicy policy)
     : map_(grid, truncation_m),
       quantisation_(quantisation),
       integrator_(map_, policy),

@@ -25,11 +25,12 @@ class MapFuser {
   /// Version of the map as it has been said: grows whenever a block's codes do.
   std::int64_t map_version() const { return version_said_; }
 
-  /// Quantises what the scans have touched since the last call; a block whose codes differ from what was said of it
-  /// last gets its next version. @return the indices of those, ascending
+  /// Quantises what the scans have touched since the last call; a block whose codes differ from what was said
+  /// of it last gets its next version. @return the indices of those, ascending
   std::vector<int> TakeChanged();
 
-  /// The map as it has been said, that is as of the last TakeChanged(). @return nullptr for a block never observed
+  /// The map as it has been said, that is as of the last TakeChanged(). @return nullptr for a block never
+  /// observed
   const MapBlock* Said(int block) const { return said_[block].get(); }
   int num_blocks_said() const { return num_blocks_said_; }
   /// Summary of the map as it has been said.

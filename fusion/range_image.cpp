@@ -20,28 +20,33 @@ float InverseRange(float range_m, const LidarModel& model) {
   return range_m >= model.range_min_m ? 1.0f / range_m : -1.0f;  // NaN is invalid as well
 }
 
-/// Whether b continues the line through a and b's predecessor `before_a`, to within `tolerance_m` of range at b.
+/// Whether b continues the line through a and b's predecessor `before_a`, to within `tolerance_m` of range at
+/// b.
 bool Continues(float before_a, float a, float b, float twice_cos_step, float tolerance_m) {
   const float nearest_to_zero = std::min(a, b);
   return before_a > 0 &&
          std::abs(before_a + b - twice_cos_step * a) < tolerance_m * nearest_to_zero * nearest_to_zero;
 }
 
-/// Whether returns b and c, of four in a row, belong to one surface: near each other, or on a plane with a or d.
+/// Whether returns b and c, of four in a row, belong to one surface: near each other, or on a plane with a or
+/// d.
 bool OneSurface(float a, float b, float c, float d, float twice_cos_step, float voxel_m) {
   if (!(b > 0 && c > 0)) return false;
   if (std::abs(b - c) < voxel_m * b * c) return true;
-  return Continues(a, b, c, twice_cos_step, 0.6f * voxel_m) || Continues(d, c, b, twice_cos_step, 0.6f * voxel_m);
+  return Continues(a, b, c, twice_cos_step, 0.6f * voxel_m) ||
+         Continues(d, c, b, twice_cos_step, 0.6f * voxel_m);
 }
 
 }  // namespace
 
 RangeImage::RangeImage(const LidarScan& scan, double voxel_m)
     : model_(scan.model), rows_(std::max(scan.model.rows, 2)) {
-  if (scan.ranges_m.size() != model_.num_beams()) throw std::invalid_argument("a scan needs a range for each beam");
+  if (scan.ranges_m.size() != model_.num_beams())
+    throw std::invalid_argument("a scan needs a range for each beam");
   inverse_range_.resize(static_cast<std::size_t>(rows_) * stride());
   for (int row = 0; row < rows_; ++row) {
-    const float* from = &scan.ranges_m[static_cast<std::size_t>(std::min(row, model_.rows - 1)) * model_.cols];
+    const float* from =
+        &scan.ranges_m[static_cast<std::size_t>(std::min(row, model_.rows - 1)) * model_.cols];
     float* to = &inverse_range_[static_cast<std::size_t>(row) * stride()];
     for (int col = 0; col < model_.cols; ++col) to[col] = InverseRange(from[col], model_);
     to[model_.cols] = to[0];
@@ -53,7 +58,8 @@ RangeImage::RangeImage(const LidarScan& scan, double voxel_m)
 void RangeImage::LinkNeighbours(double voxel_m) {
   const int cols = model_.cols;
   const auto at = [&](int row, int col) {
-    return row < 0 || row >= model_.rows ? -1.0f : inverse_range_[static_cast<std::size_t>(row) * stride() + col];
+    return row < 0 || row >= model_.rows ? -1.0f
+                                         : inverse_range_[static_cast<std::size_t>(row) * stride() + col];
   };
   const auto voxel = static_cast<float>(voxel_m);
   const float cos_row = static_cast<float>(2 * std::cos(model_.row_step_rad())), cos_col = 2.0f;
@@ -82,8 +88,9 @@ void RangeImage::BuildPyramid() {
   for (int row = 0; row < model_.rows; ++row)
     for (int col = 0; col < model_.cols; ++col) {
       const float q = inverse_range_[static_cast<std::size_t>(row) * stride() + col];
-      base.cells.push_back(q < 0 ? RangeBounds{kFar, 0.0f, true}
-                                 : q > 0 ? RangeBounds{1 / q, 1 / q, false} : RangeBounds{kFar, kFar, false});
+      base.cells.push_back(q < 0   ? RangeBounds{kFar, 0.0f, true}
+                           : q > 0 ? RangeBounds{1 / q, 1 / q, false}
+                                   : RangeBounds{kFar, kFar, false});
     }
   levels_.push_back(std::move(base));
   while (levels_.back().rows > 1 || levels_.back().cols > 1) {
@@ -119,7 +126,8 @@ RangeBounds RangeImage::Bounds(int row_min, int row_max, int col_min, int col_ma
   };
   // A part that crosses the seam is looked up on both sides of it.
   if (col_min < 0) return Join(rows_of(col_min + model_.cols, model_.cols - 1), rows_of(0, col_max));
-  if (col_max >= model_.cols) return Join(rows_of(col_min, model_.cols - 1), rows_of(0, col_max - model_.cols));
+  if (col_max >= model_.cols)
+    return Join(rows_of(col_min, model_.cols - 1), rows_of(0, col_max - model_.cols));
   return rows_of(col_min, col_max);
 }
 

@@ -13,10 +13,11 @@ struct RangeBounds {
   bool any_invalid;
 };
 
-/// One scan as an image of inverse ranges (rows: elevation, columns: azimuth), ready to be looked up by direction.
+/// One scan as an image of inverse ranges (rows: elevation, columns: azimuth), ready to be looked up by
+/// direction.
 ///
-/// Inverse range is linear in the direction's vector on a plane, whatever its incidence: q = n.u / c for n.p = c.
-/// So it is interpolated instead of the range, and planes seen at a grazing angle are known by it.
+/// Inverse range is linear in the direction's vector on a plane, whatever its incidence: q = n.u / c for n.p
+/// = c. So it is interpolated instead of the range, and planes seen at a grazing angle are known by it.
 class RangeImage {
  public:
   /// @param voxel_m  how far two neighbouring returns may lie apart and still belong to one surface
@@ -33,7 +34,8 @@ class RangeImage {
   /// Nonzero where the cell between (row, col) and (row + 1, col + 1) shows one continuous surface.
   const std::int32_t* one_surface() const { return one_surface_.data(); }
 
-  /// Over rows [row_min, row_max] (clamped) and columns [col_min, col_max] (wrapped; may be negative or beyond a turn).
+  /// Over rows [row_min, row_max] (clamped) and columns [col_min, col_max] (wrapped; may be negative or
+  /// beyond a turn).
   RangeBounds Bounds(int row_min, int row_max, int col_min, int col_max) const;
 
  private:

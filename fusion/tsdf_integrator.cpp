@@ -7,7 +7,8 @@
 namespace citrine::fusion {
 namespace {
 
-constexpr float kFreeOnSurface = 0.25f;  // share of a free observation's weight where a surface was seen before
+constexpr float kFreeOnSurface =
+    0.25f;  // share of a free observation's weight where a surface was seen before
 
 /// Half the width in azimuth of a ball seen at an elevation; pi if it lies over a pole.
 double HalfAzimuth(double elevation_rad, double half_angle_rad) {
@@ -74,22 +75,23 @@ std::vector<int> TsdfIntegrator::Integrate(const LidarScan& scan) {
   return changed;
 }
 
-TsdfIntegrator::Sight TsdfIntegrator::SightOf(const View& view, const Eigen::Vector3d& centre_S, double radius_m,
-                                              float* farthest_m) const {
+TsdfIntegrator::Sight TsdfIntegrator::SightOf(const View& view, const Eigen::Vector3d& centre_S,
+                                              double radius_m, float* farthest_m) const {
   const LidarModel& model = view.image.model();
   const double distance_m = centre_S.norm();
   if (distance_m <= 1.05 * radius_m) return Sight::kMixed;
   const double half = std::asin(radius_m / distance_m);
-  const double elevation = std::asin(centre_S.z() / distance_m), azimuth = std::atan2(centre_S.y(), centre_S.x());
+  const double elevation = std::asin(centre_S.z() / distance_m),
+               azimuth = std::atan2(centre_S.y(), centre_S.x());
   const double row_step = model.rows > 1 ? model.row_step_rad() : model.col_step_rad();
   const double low = (elevation - half - model.elevation_min_rad) / row_step;
   const double high = (elevation + half - model.elevation_min_rad) / row_step;
   if (high < -0.5 || low > model.rows - 0.5) return Sight::kNone;
   const double col = (azimuth + EIGEN_PI) / model.col_step_rad() - 0.5;
   const double half_cols = HalfAzimuth(elevation, half) / model.col_step_rad();
-  const RangeBounds bounds =
-      view.image.Bounds(static_cast<int>(std::floor(low)), static_cast<int>(std::floor(high)) + 1,
-                        static_cast<int>(std::floor(col - half_cols)), static_cast<int>(std::floor(col + half_cols)) + 1);
+  const RangeBounds bounds = view.image.Bounds(
+      static_cast<int>(std::floor(low)), static_cast<int>(std::floor(high)) + 1,
+      static_cast<int>(std::floor(col - half_cols)), static_cast<int>(std::floor(col + half_cols)) + 1);
   const double truncation_m = map_.truncation_m();
   if (distance_m - radius_m > bounds.max_m + 2 * truncation_m) return Sight::kNone;
   const bool all_in_view = low >= 0 && high <= model.rows - 1;
@@ -136,7 +138,8 @@ bool TsdfIntegrator::Fuse(const Observation& observation, int row, TsdfBlock& bl
 
   // A free ray seldom knows better than whoever saw a surface here from nearer by.
   const Lanes ratio = Min(observation.weight / Max(quality, 1e-9f), 1.0f);
-  const Mask free_on_surface = Without(quality > 0.0f, observation.in_band) & (observation.sdf_m >= truncation_m);
+  const Mask free_on_surface =
+      Without(quality > 0.0f, observation.in_band) & (observation.sdf_m >= truncation_m);
   const Lanes share = Select(free_on_surface, ratio * ratio * kFreeOnSurface, 1.0f) * observation.share;
   const Lanes added = Select(observation.said, observation.weight * share, 0.0f);
   const Lanes sum = weight + added;

@@ -11,11 +11,13 @@
 
 namespace citrine::fusion {
 
-/// Fuses one scan at a time into a TSDF, voxel by voxel: each voxel of each block within range is projected into the
-/// scan's range image and observed once (projective integration; Curless & Levoy 1996 for the averaging).
+/// Fuses one scan at a time into a TSDF, voxel by voxel: each voxel of each block within range is projected
+/// into the scan's range image and observed once (projective integration; Curless & Levoy 1996 for the
+/// averaging).
 ///
-/// Blocks that the image shows to lie behind what was seen are skipped, and blocks in front of everything are filled
-/// without looking their voxels up. A surface once seen well is kept from free rays that graze it from afar.
+/// Blocks that the image shows to lie behind what was seen are skipped, and blocks in front of everything are
+/// filled without looking their voxels up. A surface once seen well is kept from free rays that graze it from
+/// afar.
 class TsdfIntegrator {
  public:
   TsdfIntegrator(TsdfMap& map, WeightPolicy policy) : map_(map), policy_(policy) {}

@@ -4,8 +4,8 @@ namespace citrine::fusion {
 namespace {
 
 constexpr float kPi = 3.14159265359f;
-constexpr float kDoubtful = 0.25f;          // share of the weight of an observation at an edge of depth
-constexpr float kBeamRadius_vox = 0.65f;    // how far beside a single beam it speaks for voxels
+constexpr float kDoubtful = 0.25f;        // share of the weight of an observation at an edge of depth
+constexpr float kBeamRadius_vox = 0.65f;  // how far beside a single beam it speaks for voxels
 
 }  // namespace
 
@@ -49,7 +49,8 @@ Observation VoxelObserver::Observe(Lanes x, Lanes y, Lanes z) const {
   const Pixel pixel{(Atan2(z, level) - elevation_min_) * per_row_, (Atan2(y, x) + kPi) * per_col_ - 0.5f};
   const Mask in_view = (pixel.row >= -0.5f) & (pixel.row <= rows_ - 0.5f) &
                        (distance_m < range_max_m_ + truncation_m_) & (distance_m > 1e-3f);
-  if (!in_view.any()) return {.said = in_view, .in_band = in_view, .sdf_m = 0.0f, .weight = 0.0f, .share = 0.0f};
+  if (!in_view.any())
+    return {.said = in_view, .in_band = in_view, .sdf_m = 0.0f, .weight = 0.0f, .share = 0.0f};
 
   const Lanes cos_elevation = Max(level / Max(distance_m, 1e-3f), 0.05f);
   const Cell cell = CellAt(pixel);
@@ -76,9 +77,10 @@ Observation VoxelObserver::AlongNormal(const Cell& cell, const Pixel& pixel, Lan
                                        Lanes cos_elevation) const {
   // The plane n.p = c through the returns: g = n/c has q = g.u along the beam, and the slopes of q across it.
   const Lanes q = Max(cell.Interpolated(), 1e-6f), range_m = Lanes(1.0f) / q;
-  const Lanes up = (Mix(cell.q10, cell.q11, cell.col_share) - Mix(cell.q00, cell.q01, cell.col_share)) * per_row_;
-  const Lanes left = (Mix(cell.q01, cell.q11, cell.row_share) - Mix(cell.q00, cell.q10, cell.row_share)) * per_col_ /
-                     cos_elevation;
+  const Lanes up =
+      (Mix(cell.q10, cell.q11, cell.col_share) - Mix(cell.q00, cell.q01, cell.col_share)) * per_row_;
+  const Lanes left = (Mix(cell.q01, cell.q11, cell.row_share) - Mix(cell.q00, cell.q10, cell.row_share)) *
+                     per_col_ / cos_elevation;
   const Lanes g = Sqrt(q * q + up * up + left * left);
   const Lanes cos_incidence = q / g;
   const Lanes along_m = range_m - distance_m, perpendicular_m = along_m * cos_incidence;
@@ -131,7 +133,8 @@ Observation VoxelObserver::AlongBeam(const Cell& cell, Lanes distance_m, Lanes c
   const Mask beside_beam = valid & (aside2 < radius_m * radius_m) & (returned | within_range);
 
   Observation observation;
-  observation.in_band = Without(beside_beam & returned & (sdf_m < truncation_m_) & (sdf_m >= -truncation_m_), all_pass);
+  observation.in_band =
+      Without(beside_beam & returned & (sdf_m < truncation_m_) & (sdf_m >= -truncation_m_), all_pass);
   const Mask passes = Without(beside_beam & (sdf_m >= truncation_m_), all_pass);
   observation.said = all_pass | observation.in_band | passes;
   observation.sdf_m = Select(observation.in_band, sdf_m, truncation_m_);

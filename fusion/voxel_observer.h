@@ -7,18 +7,18 @@ namespace citrine::fusion {
 
 /// What one scan says about eight voxels.
 struct Observation {
-  Mask said;      ///< whether it says anything
-  Mask in_band;   ///< whether it saw a surface within the truncation
-  Lanes sdf_m;    ///< signed distance, within +-truncation
-  Lanes weight;   ///< 1/r^2, r the range of the surface [1/m^2]
-  Lanes share;    ///< of the weight, for averaging: less behind the surface and at edges of depth
+  Mask said;     ///< whether it says anything
+  Mask in_band;  ///< whether it saw a surface within the truncation
+  Lanes sdf_m;   ///< signed distance, within +-truncation
+  Lanes weight;  ///< 1/r^2, r the range of the surface [1/m^2]
+  Lanes share;   ///< of the weight, for averaging: less behind the surface and at edges of depth
 };
 
 /// Looks voxels up in a range image: their distance to the surface that the surrounding four beams show.
 ///
-/// Where the four show one surface, the distance is measured along its normal, known from the slope of inverse range,
-/// and the image is asked again at the foot of the perpendicular whether the surface really extends there. Elsewhere
-/// the nearest beam speaks alone, and only for voxels next to it.
+/// Where the four show one surface, the distance is measured along its normal, known from the slope of
+/// inverse range, and the image is asked again at the foot of the perpendicular whether the surface really
+/// extends there. Elsewhere the nearest beam speaks alone, and only for voxels next to it.
 class VoxelObserver {
  public:
   VoxelObserver(const RangeImage& image, double voxel_m, double truncation_m);

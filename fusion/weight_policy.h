@@ -5,7 +5,8 @@
 
 namespace citrine::fusion {
 
-/// What counts as the confidence of a surface voxel (design, section 6). Distances are always averaged by the sum.
+/// What counts as the confidence of a surface voxel (design, section 6). Distances are always averaged by the
+/// sum.
 enum class WeightPolicy {
   kBestView,  ///< the best single observation: w >= w* exactly when seen from within d*
   kPerScan,   ///< summed, once a voxel and scan

@@ -29,7 +29,7 @@ struct MapHearer::Impl {
   std::int64_t last_step = -1;
   bool changed_in_step = false;
   std::int64_t version = -1;
-  std::uint64_t digest = 0;            ///< of the map at `digest_revision`
+  std::uint64_t digest = 0;  ///< of the map at `digest_revision`
   std::int64_t digest_revision = -1;
 };
 

@@ -8,7 +8,8 @@
 
 namespace citrine {
 
-/// Visits the voxels that the segment from a to b passes, in order, both ends included (Amanatides & Woo 1987).
+/// Visits the voxels that the segment from a to b passes, in order, both ends included (Amanatides & Woo
+/// 1987).
 ///
 /// Voxels outside the grid are passed over in silence.
 /// @param visit  bool(const VoxelIndex&): whether to go on

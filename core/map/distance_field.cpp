@@ -40,7 +40,8 @@ void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row
   }
 }
 
-/// min over |k| < radius of in[at + k] + k^2 in 16 lanes; rows lie `stride` apart, and `below`, `above` of them exist.
+/// min over |k| < radius of in[at + k] + k^2 in 16 lanes; rows lie `stride` apart, and `below`, `above` of
+/// them exist.
 __m256i LowerEnvelope(const std::uint16_t* at, std::ptrdiff_t stride, int below, int above, int radius) {
   const auto load = [&](int k) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at + k * stride));
@@ -61,13 +62,15 @@ __m256i LowerEnvelope(const std::uint16_t* at, std::ptrdiff_t stride, int below,
 
 DistanceField::DistanceField(const VoxelGrid& grid, int radius_vox)
     : grid_(grid), radius_vox_(radius_vox), metres_(radius_vox * radius_vox + 1) {
-  if (radius_vox < 1 || radius_vox > 181) throw std::invalid_argument("a distance field reaches 1..181 voxels");
+  if (radius_vox < 1 || radius_vox > 181)
+    throw std::invalid_argument("a distance field reaches 1..181 voxels");
   squared_.assign(grid.num_voxels(), static_cast<std::uint16_t>(radius_vox * radius_vox));
   for (std::size_t i = 0; i < metres_.size(); ++i)
     metres_[i] = static_cast<float>(std::sqrt(static_cast<double>(i)) * grid.voxel_m());
 }
 
-void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min, const VoxelIndex& max) {
+void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min,
+                           const VoxelIndex& max) {
   if ((min.array() >= max.array()).any()) return;
   const Box out = Grow({min, max}, radius_vox_ - 1, grid_);
   const Box in = Grow(out, radius_vox_ - 1, grid_);
@@ -88,9 +91,9 @@ void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const Voxel
     for (int y = 0; y < out_y; ++y)
       for (int x = 0; x < width; x += kLanes) {
         const int from = y + skipped_y;
-        const __m256i best =
-            LowerEnvelope(&along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
-                          width, from, in_y - 1 - from, radius_vox_);
+        const __m256i best = LowerEnvelope(
+            &along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
+            width, from, in_y - 1 - from, radius_vox_);
         _mm256_storeu_si256(
             reinterpret_cast<__m256i*>(
                 &along_xy[x + static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(out_y) * z)]),
@@ -106,9 +109,8 @@ void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const Voxel
       const int from = z + skipped_z;
       const std::size_t row = grid_.Linear({out.min.x(), out.min.y() + y, out.min.z() + z});
       for (int x = 0; x < width; x += kLanes) {
-        const __m256i best =
-            LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from], plane, from,
-                          in_z - 1 - from, radius_vox_);
+        const __m256i best = LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from],
+                                           plane, from, in_z - 1 - from, radius_vox_);
         _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), _mm256_min_epu16(best, cap));
         std::copy_n(lanes, std::min(kLanes, out.sizes().x() - x), &squared_[row + x]);
       }
@@ -116,7 +118,8 @@ void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const Voxel
 }
 
 double DistanceField::Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* gradient) const {
-  const Eigen::Vector3d in_voxels = (p_W - grid_.origin_W()) / grid_.voxel_m() - Eigen::Vector3d::Constant(0.5);
+  const Eigen::Vector3d in_voxels =
+      (p_W - grid_.origin_W()) / grid_.voxel_m() - Eigen::Vector3d::Constant(0.5);
   std::size_t low[3], high[3];
   double share[3];
   bool outside[3];
@@ -130,7 +133,9 @@ double DistanceField::Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* g
     low[axis] = stride[axis] * static_cast<std::size_t>(floor);
     high[axis] = low[axis] + (top > 0 ? stride[axis] : 0);
   }
-  const auto at = [&](std::size_t x, std::size_t y, std::size_t z) { return static_cast<double>(At(x + y + z)); };
+  const auto at = [&](std::size_t x, std::size_t y, std::size_t z) {
+    return static_cast<double>(At(x + y + z));
+  };
   const auto mix = [](double a, double b, double s) { return a + (b - a) * s; };
   const double c000 = at(low[0], low[1], low[2]), c100 = at(high[0], low[1], low[2]);
   const double c010 = at(low[0], high[1], low[2]), c110 = at(high[0], high[1], low[2]);
@@ -141,7 +146,8 @@ double DistanceField::Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* g
   const double z0 = mix(y0z0, y1z0, share[1]), z1 = mix(y0z1, y1z1, share[1]);
   if (gradient) {
     const double per_m = 1.0 / grid_.voxel_m();
-    (*gradient)[0] = mix(mix(c100 - c000, c110 - c010, share[1]), mix(c101 - c001, c111 - c011, share[1]), share[2]);
+    (*gradient)[0] =
+        mix(mix(c100 - c000, c110 - c010, share[1]), mix(c101 - c001, c111 - c011, share[1]), share[2]);
     (*gradient)[1] = mix(y1z0 - y0z0, y1z1 - y0z1, share[2]);
     (*gradient)[2] = z1 - z0;
     for (int axis = 0; axis < 3; ++axis) (*gradient)[axis] *= outside[axis] ? 0.0 : per_m;

@@ -11,8 +11,8 @@ namespace citrine {
 
 /// Exact Euclidean distance from every voxel centre to the nearest site centre, truncated at a radius.
 ///
-/// Kept as squared distance in voxels (u16); equal to brute force, full or incremental. Separable lower envelope after
-/// Felzenszwalb & Huttenlocher (2012), here as windowed minima over 16 lanes.
+/// Kept as squared distance in voxels (u16); equal to brute force, full or incremental. Separable lower
+/// envelope after Felzenszwalb & Huttenlocher (2012), here as windowed minima over 16 lanes.
 class DistanceField {
  public:
   DistanceField() = default;

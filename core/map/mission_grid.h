@@ -5,8 +5,8 @@
 
 namespace citrine {
 
-/// Grid and codes of a mission's map, and an empty planning map on them with its start balls: the base station and
-/// every hearer build them from the same configuration, and so agree.
+/// Grid and codes of a mission's map, and an empty planning map on them with its start balls: the base
+/// station and every hearer build them from the same configuration, and so agree.
 VoxelGrid MissionGrid(const MissionConfig& config);
 Quantisation MissionQuantisation(const MissionConfig& config);
 PlanningMap MissionPlanningMap(const MissionConfig& config);

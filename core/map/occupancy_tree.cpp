@@ -30,7 +30,8 @@ void OccupancyTree::Update(const PlanningMap& map) {
     impl_->version[block] = map.block_version(block);
     const VoxelIndex origin = grid.BlockOrigin(block);
     for (int i = 0; i < kBlockVoxels; ++i) {
-      const VoxelIndex voxel = origin + VoxelIndex(i % kBlockSide, i / kBlockSide % kBlockSide, i / (kBlockSide * kBlockSide));
+      const VoxelIndex voxel =
+          origin + VoxelIndex(i % kBlockSide, i / kBlockSide % kBlockSide, i / (kBlockSide * kBlockSide));
       const std::size_t linear = grid.Linear(voxel);
       if (map.state(linear) == VoxelState::kUnknown) continue;
       const Leaf leaf = map.distance_m(linear) < grid.voxel_m() / 2 ? Leaf::kOccupied : Leaf::kFree;
@@ -38,9 +39,10 @@ void OccupancyTree::Update(const PlanningMap& map) {
       impl_->leaf[linear] = static_cast<std::uint8_t>(leaf);
       const Eigen::Vector3d p_W = grid.Centre(voxel) + hair;
       const octomap::OcTree& tree = impl_->tree;
-      impl_->tree.setNodeValue(octomap::point3d(static_cast<float>(p_W.x()), static_cast<float>(p_W.y()),
-                                                static_cast<float>(p_W.z())),
-                               leaf == Leaf::kOccupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog());
+      impl_->tree.setNodeValue(
+          octomap::point3d(static_cast<float>(p_W.x()), static_cast<float>(p_W.y()),
+                           static_cast<float>(p_W.z())),
+          leaf == Leaf::kOccupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog());
     }
   }
 }
@@ -50,7 +52,8 @@ std::vector<std::uint8_t> OccupancyTree::Bytes() const {
   const octomap::OcTree nothing(1.0);
   const octomap::OcTree& tree = impl_ ? impl_->tree : nothing;
   std::ostringstream stream;
-  stream << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\nid "
+  stream << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line "
+            "as it is!)\n#\nid "
          << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
   if (tree.size() > 0) tree.writeBinaryData(stream);
   const std::string text = stream.str();
@@ -65,8 +68,7 @@ void OccupancyTree::WriteBt(const std::string& path) const {
 }
 
 OccupancyTree::Leaf OccupancyTree::At(const Eigen::Vector3d& p_W) const {
-  const octomap::OcTreeNode* node =
-      impl_ ? impl_->tree.search(p_W.x(), p_W.y(), p_W.z()) : nullptr;
+  const octomap::OcTreeNode* node = impl_ ? impl_->tree.search(p_W.x(), p_W.y(), p_W.z()) : nullptr;
   if (!node) return Leaf::kUnknown;
   return impl_->tree.isNodeOccupied(node) ? Leaf::kOccupied : Leaf::kFree;
 }

@@ -9,8 +9,9 @@
 
 namespace citrine {
 
-/// Occupancy view of a planning map as an OctoMap octree: occupied where the surface passes (d < d_s / 2), free where
-/// else it is known. A leaf holds the voxel whose centre it contains; they coincide if the volume lies on multiples of d_s.
+/// Occupancy view of a planning map as an OctoMap octree: occupied where the surface passes (d < d_s / 2),
+/// free where else it is known. A leaf holds the voxel whose centre it contains; they coincide if the volume
+/// lies on multiples of d_s.
 class OccupancyTree {
  public:
   OccupancyTree();

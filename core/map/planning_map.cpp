@@ -83,7 +83,8 @@ PlanningMap::SiteChange PlanningMap::WriteRow(std::size_t linear, const std::uin
 }
 
 bool PlanningMap::Apply(const MapBlock& block) {
-  if (block.index < 0 || block.index >= grid_.num_blocks()) throw std::out_of_range("no such block of the map");
+  if (block.index < 0 || block.index >= grid_.num_blocks())
+    throw std::out_of_range("no such block of the map");
   if (block.version <= version_[block.index]) return false;
   SiteChange change;
   change.any = version_[block.index] == 0;

@@ -16,13 +16,15 @@ namespace citrine {
 /// A voxel's class (paper, section III-A), from its quantised distance.
 enum class VoxelState : std::uint8_t { kUnknown = 0, kEmpty = 1, kOccupied = 2 };
 
-/// The map that decisions are made on: the quantised blocks of the bus on a dense grid, the class of every voxel, and
-/// the exact distance to what is occupied and to what is unknown.
+/// The map that decisions are made on: the quantised blocks of the bus on a dense grid, the class of every
+/// voxel, and the exact distance to what is occupied and to what is unknown.
 ///
 /// Beyond the mission volume the class is that of the code all the same: definitions of the paper ask
-/// VoxelGrid::Inside first. What was seen there (the ground under the lower face) keeps its distance in `to_occupied`.
+/// VoxelGrid::Inside first. What was seen there (the ground under the lower face) keeps its distance in
+/// `to_occupied`.
 ///
-/// One writer; everybody in a process who hears the same blocks shares one. `Apply` blocks, then `Update` once.
+/// One writer; everybody in a process who hears the same blocks shares one. `Apply` blocks, then `Update`
+/// once.
 class PlanningMap {
  public:
   /// Reach of the two distance fields [m]. Clearance beyond it reads as it.
@@ -36,14 +38,16 @@ class PlanningMap {
 
   PlanningMap(const VoxelGrid& grid, const Quantisation& quantisation);
 
-  /// Counts a ball around a spawn as known free in the unknown-distance field, and there alone (design, section 6).
+  /// Counts a ball around a spawn as known free in the unknown-distance field, and there alone (design,
+  /// section 6).
   void AssumeFree(const Ball& ball);
 
   /// Takes a block over if it is newer than the one held. @return whether anything changed
   /// @throws std::out_of_range for a block that the grid does not have
   bool Apply(const MapBlock& block);
 
-  /// Brings the distance fields up to date with the blocks applied since. @return whether anything had changed
+  /// Brings the distance fields up to date with the blocks applied since. @return whether anything had
+  /// changed
   bool Update();
 
   const VoxelGrid& grid() const { return grid_; }
@@ -56,7 +60,8 @@ class PlanningMap {
   double distance_m(std::size_t linear) const { return quantisation_.Distance(distance_[linear]); }
   double weight(std::size_t linear) const { return quantisation_.Weight(weight_[linear]); }
 
-  /// [m] to the nearest voxel that the surface passes: known and d < d_s / 2. Never over by more than half a voxel.
+  /// [m] to the nearest voxel that the surface passes: known and d < d_s / 2. Never over by more than half a
+  /// voxel.
   const DistanceField& to_occupied() const { return to_occupied_; }
   /// [m] to the nearest unknown voxel inside the mission volume.
   const DistanceField& to_unknown() const { return to_unknown_; }

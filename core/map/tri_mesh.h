@@ -9,9 +9,9 @@ namespace citrine {
 
 /// Triangles with shared vertices, counter-clockwise seen from outside.
 struct TriMesh {
-  std::vector<Eigen::Vector3f> vertices_W;          ///< [m]
+  std::vector<Eigen::Vector3f> vertices_W;  ///< [m]
   std::vector<std::array<int, 3>> triangles;
-  std::vector<float> confidence;                    ///< one a vertex, or empty
+  std::vector<float> confidence;  ///< one a vertex, or empty
 };
 
 }  // namespace citrine

@@ -10,14 +10,18 @@
 
 namespace citrine {
 
-/// 8x8x8 voxels of the full map, each field an array of its own so that a row of eight is one vector register.
+/// 8x8x8 voxels of the full map, each field an array of its own so that a row of eight is one vector
+/// register.
 struct alignas(64) TsdfBlock {
-  float distance_m[kBlockVoxels];  ///< signed distance to the surface, averaged by weight, within +-truncation
-  float weight[kBlockVoxels];      ///< sum of the weights of all observations; 0: unknown
-  float quality[kBlockVoxels];     ///< confidence by the mission's weight policy, surface band only (section III-A)
+  float
+      distance_m[kBlockVoxels];  ///< signed distance to the surface, averaged by weight, within +-truncation
+  float weight[kBlockVoxels];    ///< sum of the weights of all observations; 0: unknown
+  float quality[kBlockVoxels];   ///< confidence by the mission's weight policy, surface band only (section
+                                 ///< III-A)
 };
 
-/// The full TSDF (Curless & Levoy 1996): a dense table of blocks on the mission's grid, allocated when first seen.
+/// The full TSDF (Curless & Levoy 1996): a dense table of blocks on the mission's grid, allocated when first
+/// seen.
 class TsdfMap {
  public:
   TsdfMap(const VoxelGrid& grid, double truncation_m);

@@ -20,9 +20,10 @@ std::vector<Eigen::Vector3d> FleetPositions::Others(int uav, Utime time) const {
   std::vector<Eigen::Vector3d> others;
   for (const auto& [other, states] : states_) {
     if (other == uav) continue;
-    const auto nearest = std::min_element(states.begin(), states.end(), [&](const UavState& a, const UavState& b) {
-      return std::abs(a.utime - time) < std::abs(b.utime - time);
-    });
+    const auto nearest =
+        std::min_element(states.begin(), states.end(), [&](const UavState& a, const UavState& b) {
+          return std::abs(a.utime - time) < std::abs(b.utime - time);
+        });
     others.push_back(nearest->X_WB.p + nearest->v_W * Seconds(time - nearest->utime));
   }
   return others;

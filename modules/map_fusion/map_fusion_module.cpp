@@ -25,11 +25,13 @@ namespace citrine {
 namespace {
 
 constexpr double kProgress_hz = 2;
-constexpr int kBlockMessagesAStep = 2;  // pace: of at most 33 kB each, so that default receive buffers hold them
+constexpr int kBlockMessagesAStep =
+    2;  // pace: of at most 33 kB each, so that default receive buffers hold them
 
 fusion::WeightPolicy PolicyOf(const MapSection& map) {
   if (const auto policy = fusion::WeightPolicyOf(map.weight_policy)) return *policy;
-  throw ConfigError("map.weight_policy = \"" + map.weight_policy + "\": best_view, per_scan or per_point is allowed");
+  throw ConfigError("map.weight_policy = \"" + map.weight_policy +
+                    "\": best_view, per_scan or per_point is allowed");
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ MapFusionModule::MapFusionModule(const ModuleContext& context)
       bus_(context.bus),
       health_(context.health),
       hearer_(context.map_hearer),
-      fuser_(MissionGrid(config_), config_.map.truncation_m, MissionQuantisation(config_), PolicyOf(config_.map)),
+      fuser_(MissionGrid(config_), config_.map.truncation_m, MissionQuantisation(config_),
+             PolicyOf(config_.map)),
       rotation_(fuser_.map().grid().num_blocks(),
                 static_cast<int>(std::floor(config_.map.rotation_s * config_.map.publish_hz))),
       surface_(fuser_.map().grid(), MissionQuantisation(config_), config_.quality_goals()),
@@ -104,14 +107,17 @@ void MapFusionModule::IntegrateScans() {
 void MapFusionModule::QueueBlocks() {
   std::vector<MapBlock> blocks;
   for (const int index : rotation_.Next(fuser_.TakeChanged())) blocks.push_back(*fuser_.Said(index));
-  for (citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks)) blocks_to_say_.push_back(std::move(message));
+  for (citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks))
+    blocks_to_say_.push_back(std::move(message));
   summary_to_say_ = Encode(fuser_.Summary());
 }
 
 void MapFusionModule::QueueOctree() {
   octree_.Update(hearer_->map());
-  const OctreeBytes octree{std::max<std::int64_t>(hearer_->map_version(), 0), config_.map.voxel_m, octree_.Bytes()};
-  for (citrine_lcm::octree_t& message : EncodeInMessages(octree)) octree_to_say_.push_back(std::move(message));
+  const OctreeBytes octree{std::max<std::int64_t>(hearer_->map_version(), 0), config_.map.voxel_m,
+                           octree_.Bytes()};
+  for (citrine_lcm::octree_t& message : EncodeInMessages(octree))
+    octree_to_say_.push_back(std::move(message));
 }
 
 void MapFusionModule::SayQueued() {

@@ -17,8 +17,8 @@
 
 namespace citrine {
 
-/// The base station. Hears UAV*_LIDAR_SCAN (and where the UAVs are); says MAP_BLOCKS, MAP_SUMMARY, MAP_OCTREE and
-/// MISSION_PROGRESS; writes mesh.ply and map.bt when the mission is over.
+/// The base station. Hears UAV*_LIDAR_SCAN (and where the UAVs are); says MAP_BLOCKS, MAP_SUMMARY, MAP_OCTREE
+/// and MISSION_PROGRESS; writes mesh.ply and map.bt when the mission is over.
 class MapFusionModule : public Module {
  public:
   static constexpr const char* kName = "map_fusion";
@@ -61,7 +61,8 @@ class MapFusionModule : public Module {
   std::optional<Every> say_octree_;
   std::deque<citrine_lcm::map_blocks_t> blocks_to_say_;
   std::deque<citrine_lcm::octree_t> octree_to_say_;
-  std::optional<citrine_lcm::map_summary_t> summary_to_say_;  ///< of the map when `blocks_to_say_` have been said
+  std::optional<citrine_lcm::map_summary_t>
+      summary_to_say_;  ///< of the map when `blocks_to_say_` have been said
 };
 
 }  // namespace citrine

@@ -7,7 +7,8 @@
 #include "fusion/surface_mesh.h"
 #include "tests/support/analytic_scene.h"
 
-// The same scans for us and for OctoMap (insertPointCloud, discretised) with DynamicEDT3D: quote the ratios of one run.
+// The same scans for us and for OctoMap (insertPointCloud, discretised) with DynamicEDT3D: quote the ratios
+// of one run.
 namespace citrine {
 namespace {
 
@@ -51,7 +52,8 @@ octomap::point3d OriginOf(const LidarScan& scan) {
 }
 
 void BM_FuseScan(benchmark::State& state) {
-  const std::vector<LidarScan> scans = Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const std::vector<LidarScan> scans =
+      Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   const VoxelGrid grid(0.25, kVolume, 0.75);
   fusion::MapFuser fuser(grid, 0.5, Quantisation(0.5, 1 / (4.5 * 4.5)), fusion::WeightPolicy::kBestView);
   std::size_t i = 0;
@@ -60,7 +62,8 @@ void BM_FuseScan(benchmark::State& state) {
 BENCHMARK(BM_FuseScan)->Args({32, 512})->Args({64, 720})->Args({16, 360})->Unit(benchmark::kMillisecond);
 
 void BM_OctomapInsert(benchmark::State& state) {
-  const std::vector<LidarScan> scans = Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const std::vector<LidarScan> scans =
+      Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   std::vector<octomap::Pointcloud> clouds;
   for (const LidarScan& scan : scans) clouds.push_back(CloudOf(scan));
   octomap::OcTree tree(0.25);
@@ -108,7 +111,8 @@ void BM_DynamicEdt3d(benchmark::State& state) {
 BENCHMARK(BM_DynamicEdt3d)->Iterations(60)->Unit(benchmark::kMillisecond);
 
 void BM_Mesh(benchmark::State& state) {
-  fusion::MapFuser fuser(VoxelGrid(0.25, kVolume, 0.75), 0.5, Quantisation(0.5, 1 / (4.5 * 4.5)), fusion::WeightPolicy::kBestView);
+  fusion::MapFuser fuser(VoxelGrid(0.25, kVolume, 0.75), 0.5, Quantisation(0.5, 1 / (4.5 * 4.5)),
+                         fusion::WeightPolicy::kBestView);
   for (const LidarScan& scan : Scans(32, 512)) fuser.Integrate(scan);
   for (auto _ : state) benchmark::DoNotOptimize(fusion::SurfaceMesh(fuser.map()));
 }

@@ -35,7 +35,8 @@ TEST(MapFuser, SaysABlockAgainOnlyWhenItsCodesHaveChanged) {
   EXPECT_TRUE(fuser.TakeChanged().empty());
   EXPECT_EQ(fuser.map_version(), version);
   for (int k = 0; k < 3; ++k) fuser.Integrate(ScanFrom(scene, 0, 0));
-  // The same noiseless scan again says nothing that the quantised map did not know, but for averages still settling.
+  // The same noiseless scan again says nothing that the quantised map did not know, but for averages still
+  // settling.
   EXPECT_LT(fuser.TakeChanged().size(), 10u);
   fuser.Integrate(ScanFrom(scene, 1.5, 1));
   EXPECT_GT(fuser.TakeChanged().size(), 10u);
@@ -80,7 +81,8 @@ TEST(TeammateFilter, DropsReturnsOnOtherUavsAndNothingElse) {
   LidarScan scan = ScanFrom(scene, 0, 0);
   const LidarScan without = ScanFrom(Scene(), 0, 0);
   int on_teammate = 0;
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) on_teammate += scan.ranges_m[i] != without.ranges_m[i];
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i)
+    on_teammate += scan.ranges_m[i] != without.ranges_m[i];
   ASSERT_GT(on_teammate, 10);
   EXPECT_EQ(DropTeammates(scan, {teammate + Eigen::Vector3d(0.05, -0.05, 0.05)}), on_teammate);
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i)

@@ -40,7 +40,8 @@ TEST(SurfaceMesh, OfABallIsClosedNearTheSphereAndFacesOutwards) {
   const TriMesh mesh = SurfaceMesh(Ball(centre, 2.0));
   ASSERT_GT(mesh.triangles.size(), 1000u);
   EXPECT_EQ(EdgesNotSharedByTwo(mesh), 0);
-  EXPECT_EQ(static_cast<int>(mesh.vertices_W.size()) - static_cast<int>(mesh.triangles.size()) / 2, 2);  // Euler
+  EXPECT_EQ(static_cast<int>(mesh.vertices_W.size()) - static_cast<int>(mesh.triangles.size()) / 2,
+            2);  // Euler
   for (const Eigen::Vector3f& p : mesh.vertices_W)
     EXPECT_NEAR((p.cast<double>() - centre).norm(), 2.0, 0.01);  // chord of a voxel on this radius: 4 mm
   for (const auto& t : mesh.triangles) {
@@ -78,7 +79,8 @@ TEST(CubeCases, NeighbouringCubesAgreeOnTheFaceBetweenThem) {
     const VoxelIndex v = map.grid().FromLinear(i);
     TsdfBlock& block = map.Allocate(map.grid().Block(v));
     state = state * 1664525 + 1013904223;
-    const bool inner = (v.array() > map.grid().inside_min().array()).all() && (v.array() + 1 < map.grid().inside_max().array()).all();
+    const bool inner = (v.array() > map.grid().inside_min().array()).all() &&
+                       (v.array() + 1 < map.grid().inside_max().array()).all();
     block.distance_m[VoxelGrid::InBlock(v)] = inner && (state >> 16 & 1) ? -0.1f : 0.1f;
     block.weight[VoxelGrid::InBlock(v)] = 1;
   }

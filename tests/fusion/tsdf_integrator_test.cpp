@@ -20,7 +20,8 @@ VoxelGrid Grid(const Eigen::Vector3d& min_W = {-12, -12, 0}, const Eigen::Vector
 
 Pose At(double x, double y, double z, double roll = 0, double pitch = 0, double yaw = 0) {
   return {{x, y, z},
-          Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+              Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
               Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX())};
 }
 
@@ -104,7 +105,8 @@ TEST(TsdfIntegrator, AgreesWithTheExactRaysOnTheClassOfVoxels) {
     integrator.Integrate(scan);
     rays.Integrate(scan);
   }
-  // Away from edges and from the surface itself, where distance along the beam and along the normal differ by intent.
+  // Away from edges and from the surface itself, where distance along the beam and along the normal differ by
+  // intent.
   int both = 0, differ = 0;
   ForEachVoxel(projective.grid(), [&](const VoxelIndex& v) {
     const Voxel a = At(projective, v), b = At(exact, v);
@@ -148,7 +150,8 @@ TEST(TsdfIntegrator, CountsEveryPointUnderThePerPointPolicy) {
   for (int row = 0; row < scan.model.rows; ++row)
     for (int col = 0; col < scan.model.cols; ++col) {
       const double r = scan.ranges_m[row * scan.model.cols + col];
-      if (r > 0 && map.grid().IndexOf(scan.X_WS * (scan.model.Direction(row, col) * r)) == voxel) expected += 1 / (r * r);
+      if (r > 0 && map.grid().IndexOf(scan.X_WS * (scan.model.Direction(row, col) * r)) == voxel)
+        expected += 1 / (r * r);
     }
   ASSERT_GT(expected, 0);
   EXPECT_NEAR(At(map, voxel).quality, expected, 1e-5);
@@ -195,7 +198,8 @@ TEST(TsdfIntegrator, LeavesTheConesAboveAndBelowTheFieldOfViewUnknown) {
     const Eigen::Vector3d p = map.grid().Centre(v) - Eigen::Vector3d(0, 0, 4);
     const double elevation = std::atan2(p.z(), p.head<2>().norm());
     const double half_ring = model.row_step_rad() / 2 + 1e-3;
-    if (elevation < model.elevation_max_rad + half_ring && elevation > model.elevation_min_rad - half_ring) return;
+    if (elevation < model.elevation_max_rad + half_ring && elevation > model.elevation_min_rad - half_ring)
+      return;
     ++outside;
     EXPECT_FALSE(At(map, v).known()) << p.transpose();
   });
@@ -204,11 +208,12 @@ TEST(TsdfIntegrator, LeavesTheConesAboveAndBelowTheFieldOfViewUnknown) {
 
 TEST(TsdfIntegrator, KeepsTheSurfaceOfAThinBarThatManyBeamsMiss) {
   AnalyticScene scene;
-  scene.AddBox({2.10, 0.10, 1}, {2.15, 0.15, 6});   // a pole, 5 cm
-  scene.AddHalfSpace({-1, 0, 0}, -5.0);             // a wall behind it
+  scene.AddBox({2.10, 0.10, 1}, {2.15, 0.15, 6});  // a pole, 5 cm
+  scene.AddHalfSpace({-1, 0, 0}, -5.0);            // a wall behind it
   TsdfMap map(Grid(), kTruncation_m);
   TsdfIntegrator integrator(map, WeightPolicy::kBestView);
-  for (int i = 0; i < 40; ++i) integrator.Integrate(scene.Scan(At(-1.5, -2 + 0.1 * i, 4, 0.02, 0, 0.013 * i)));
+  for (int i = 0; i < 40; ++i)
+    integrator.Integrate(scene.Scan(At(-1.5, -2 + 0.1 * i, 4, 0.02, 0, 0.013 * i)));
   // From 8 m nearly every beam misses it; that must not erase what was seen from nearby.
   for (int i = 0; i < 40; ++i) integrator.Integrate(scene.Scan(At(-5, -2 + 0.1 * i, 4, 0.02, 0, 0.017 * i)));
   int kept = 0;
@@ -231,7 +236,8 @@ TEST(TsdfIntegrator, KnowsTheGroundSeenAtAGrazingAngleWithoutGapsOrPhantoms) {
   TsdfIntegrator integrator(map, WeightPolicy::kBestView);
   Random random(1);
   for (int i = 0; i < 10; ++i)
-    integrator.Integrate(scene.Scan(At(0.1 * i, 0, 2.5, 0.05 * std::sin(i), 0.05 * std::cos(i)), {}, 1.5e-4, &random));
+    integrator.Integrate(
+        scene.Scan(At(0.1 * i, 0, 2.5, 0.05 * std::sin(i), 0.05 * std::cos(i)), {}, 1.5e-4, &random));
   int ground = 0, occupied = 0, above = 0, free_above = 0, phantoms = 0;
   ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
     const Eigen::Vector3d p = map.grid().Centre(v);
@@ -261,11 +267,14 @@ TEST(TsdfIntegrator, MakesNoPhantomsBeyondTheEdgesOfABox) {
   TsdfIntegrator integrator(map, WeightPolicy::kBestView);
   Random random(2);
   for (int i = 0; i < 30; ++i)
-    integrator.Integrate(scene.Scan(At(-2 + 0.1 * i, -3 + 0.2 * i, 3, 0.05 * std::sin(i), 0.03, 0.1 * i), {}, 1.5e-4, &random));
+    integrator.Integrate(scene.Scan(At(-2 + 0.1 * i, -3 + 0.2 * i, 3, 0.05 * std::sin(i), 0.03, 0.1 * i), {},
+                                    1.5e-4, &random));
   int phantoms = 0;
   ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
     const Voxel voxel = At(map, v);
-    if (voxel.known() && voxel.distance_m < kVoxel_m / 2 && scene.Distance(map.grid().Centre(v)) > 1.5 * kVoxel_m) ++phantoms;
+    if (voxel.known() && voxel.distance_m < kVoxel_m / 2 &&
+        scene.Distance(map.grid().Centre(v)) > 1.5 * kVoxel_m)
+      ++phantoms;
   });
   EXPECT_EQ(phantoms, 0);
 }
@@ -275,7 +284,8 @@ TEST(TsdfIntegrator, IsTheSameBitForBitWhenRepeated) {
   scene.AddSphere({0, 0, 4}, 2.0);
   TsdfMap a(Grid(), kTruncation_m), b(Grid(), kTruncation_m);
   for (TsdfMap* map : {&a, &b})
-    for (int i = 0; i < 3; ++i) TsdfIntegrator(*map, WeightPolicy::kPerScan).Integrate(scene.Scan(At(-6, i, 4)));
+    for (int i = 0; i < 3; ++i)
+      TsdfIntegrator(*map, WeightPolicy::kPerScan).Integrate(scene.Scan(At(-6, i, 4)));
   for (int block = 0; block < a.grid().num_blocks(); ++block) {
     ASSERT_EQ(a.Find(block) == nullptr, b.Find(block) == nullptr);
     if (!a.Find(block)) continue;

@@ -15,8 +15,12 @@ namespace citrine::test {
 /// A scene of boxes, spheres and half spaces whose distances and ray hits are known exactly.
 class AnalyticScene {
  public:
-  void AddBox(const Eigen::Vector3d& min_W, const Eigen::Vector3d& max_W) { boxes_.push_back({min_W, max_W}); }
-  void AddSphere(const Eigen::Vector3d& centre_W, double radius_m) { spheres_.push_back({centre_W, radius_m}); }
+  void AddBox(const Eigen::Vector3d& min_W, const Eigen::Vector3d& max_W) {
+    boxes_.push_back({min_W, max_W});
+  }
+  void AddSphere(const Eigen::Vector3d& centre_W, double radius_m) {
+    spheres_.push_back({centre_W, radius_m});
+  }
   /// Solid below normal . p = offset.
   void AddHalfSpace(const Eigen::Vector3d& normal_W, double offset_m) {
     half_spaces_.push_back({normal_W.normalized(), offset_m});
@@ -40,7 +44,8 @@ class AnalyticScene {
     for (const Box& box : boxes_) {
       double enter = 0, leave = nearest;
       for (int axis = 0; axis < 3; ++axis) {
-        double a = (box.min[axis] - from[axis]) / direction[axis], b = (box.max[axis] - from[axis]) / direction[axis];
+        double a = (box.min[axis] - from[axis]) / direction[axis],
+               b = (box.max[axis] - from[axis]) / direction[axis];
         if (a > b) std::swap(a, b);
         enter = std::max(enter, a);
         leave = std::min(leave, b);
@@ -50,7 +55,8 @@ class AnalyticScene {
     for (const Sphere& s : spheres_) {
       const double along = direction.dot(s.centre - from);
       const double inside = s.radius * s.radius - ((s.centre - from).squaredNorm() - along * along);
-      if (inside >= 0 && along - std::sqrt(inside) > 0) nearest = std::min(nearest, along - std::sqrt(inside));
+      if (inside >= 0 && along - std::sqrt(inside) > 0)
+        nearest = std::min(nearest, along - std::sqrt(inside));
     }
     for (const HalfSpace& h : half_spaces_) {
       const double range = (h.offset - h.normal.dot(from)) / h.normal.dot(direction);
@@ -60,14 +66,17 @@ class AnalyticScene {
   }
 
   /// What a LiDAR measures. @param noise_m_per_m2  sigma(r) = this * r^2
-  LidarScan Scan(const Pose& X_WS, const LidarModel& model = {}, double noise_m_per_m2 = 0, Random* random = nullptr) const {
+  LidarScan Scan(const Pose& X_WS, const LidarModel& model = {}, double noise_m_per_m2 = 0,
+                 Random* random = nullptr) const {
     LidarScan scan{.measured = 0, .X_WS = X_WS, .model = model, .ranges_m = {}};
     for (int row = 0; row < model.rows; ++row)
       for (int col = 0; col < model.cols; ++col) {
         double range = Range(X_WS.p, X_WS.q * model.Direction(row, col));
         if (random && std::isfinite(range)) range += noise_m_per_m2 * range * range * random->Normal();
         const bool returned = range <= model.range_max_m;
-        scan.ranges_m.push_back(!returned ? kNoReturn : range < model.range_min_m ? kInvalid : static_cast<float>(range));
+        scan.ranges_m.push_back(!returned                   ? kNoReturn
+                                : range < model.range_min_m ? kInvalid
+                                                            : static_cast<float>(range));
       }
     return scan;
   }

@@ -25,7 +25,8 @@ void RayIntegrator::Integrate(const LidarScan& scan) {
         const int i = VoxelGrid::InBlock(voxel);
         const double added = (1 + std::min(sdf_m / truncation_m, 0.0)) / (surface_m * surface_m);
         const double sum = block.weight[i] + added;
-        block.distance_m[i] = static_cast<float>((block.distance_m[i] * block.weight[i] + sdf_m * added) / sum);
+        block.distance_m[i] =
+            static_cast<float>((block.distance_m[i] * block.weight[i] + sdf_m * added) / sum);
         block.weight[i] = static_cast<float>(sum);
         return true;
       });

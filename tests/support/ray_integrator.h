@@ -5,8 +5,8 @@
 
 namespace citrine::test {
 
-/// The exact, slow way: every beam is walked through the voxels that it passes, and each takes the distance along the
-/// beam, averaged by 1/r^2 (as Voxblox' `simple`). The oracle of the projective integrator.
+/// The exact, slow way: every beam is walked through the voxels that it passes, and each takes the distance
+/// along the beam, averaged by 1/r^2 (as Voxblox' `simple`). The oracle of the projective integrator.
 class RayIntegrator {
  public:
   explicit RayIntegrator(TsdfMap& map) : map_(map) {}

@@ -20,13 +20,16 @@ std::vector<VoxelIndex> Walk(const VoxelGrid& grid, const Eigen::Vector3d& a, co
 TEST(RayWalk, VisitsEveryVoxelOfTheSegmentOnceInOrderFaceByFace) {
   const VoxelGrid grid = Grid();
   Random random(1);
-  const auto point = [&] { return Eigen::Vector3d(random.Uniform(0, 8), random.Uniform(0, 8), random.Uniform(0, 8)); };
+  const auto point = [&] {
+    return Eigen::Vector3d(random.Uniform(0, 8), random.Uniform(0, 8), random.Uniform(0, 8));
+  };
   for (int k = 0; k < 300; ++k) {
     const Eigen::Vector3d a = point(), b = point();
     const std::vector<VoxelIndex> visited = Walk(grid, a, b);
     ASSERT_EQ(visited.front(), grid.IndexOf(a));
     ASSERT_EQ(visited.back(), grid.IndexOf(b));
-    for (std::size_t i = 1; i < visited.size(); ++i) ASSERT_EQ((visited[i] - visited[i - 1]).cwiseAbs().sum(), 1);
+    for (std::size_t i = 1; i < visited.size(); ++i)
+      ASSERT_EQ((visited[i] - visited[i - 1]).cwiseAbs().sum(), 1);
     // Points along the segment lie in visited voxels, in the same order.
     std::size_t at = 0;
     for (int s = 0; s <= 2000; ++s) {

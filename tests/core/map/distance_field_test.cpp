@@ -10,14 +10,16 @@ namespace {
 
 VoxelGrid SmallGrid() { return VoxelGrid(0.5, {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(17, 9, 11)}, 0.5); }
 
-std::vector<std::uint16_t> BruteForce(const VoxelGrid& grid, const std::vector<std::uint8_t>& is_site, int radius) {
+std::vector<std::uint16_t> BruteForce(const VoxelGrid& grid, const std::vector<std::uint8_t>& is_site,
+                                      int radius) {
   std::vector<VoxelIndex> sites;
   for (std::size_t i = 0; i < is_site.size(); ++i)
     if (is_site[i]) sites.push_back(grid.FromLinear(i));
   std::vector<std::uint16_t> squared(grid.num_voxels());
   for (std::size_t i = 0; i < squared.size(); ++i) {
     int nearest = radius * radius;
-    for (const VoxelIndex& site : sites) nearest = std::min(nearest, (site - grid.FromLinear(i)).squaredNorm());
+    for (const VoxelIndex& site : sites)
+      nearest = std::min(nearest, (site - grid.FromLinear(i)).squaredNorm());
     squared[i] = static_cast<std::uint16_t>(nearest);
   }
   return squared;
@@ -65,9 +67,12 @@ TEST(DistanceField, InterpolatesTheValuesAtVoxelCentresAndTheirSlopeBetweenThem)
   field.Update(is_site, VoxelIndex::Zero(), grid.voxels());
   Random random(2);
   for (int i = 0; i < 200; ++i) {
-    const VoxelIndex v(random.Below(grid.voxels().x()), random.Below(grid.voxels().y()), random.Below(grid.voxels().z()));
+    const VoxelIndex v(random.Below(grid.voxels().x()), random.Below(grid.voxels().y()),
+                       random.Below(grid.voxels().z()));
     EXPECT_NEAR(field.Interpolate(grid.Centre(v)), field.At(grid.Linear(v)), 1e-6);
-    const Eigen::Vector3d p = grid.Centre(VoxelIndex(5, 5, 5)) + Eigen::Vector3d(random.Uniform(0, 8), random.Uniform(0, 3), random.Uniform(0, 4));
+    const Eigen::Vector3d p =
+        grid.Centre(VoxelIndex(5, 5, 5)) +
+        Eigen::Vector3d(random.Uniform(0, 8), random.Uniform(0, 3), random.Uniform(0, 4));
     Eigen::Vector3d gradient;
     field.Interpolate(p, &gradient);
     const double h = 1e-6;
@@ -95,7 +100,8 @@ TEST(DistanceField, ReadsTheNearestVoxelOutsideTheGrid) {
 TEST(DirtyBoxes, HoldEveryBlockAndKeepFarGroupsApart) {
   const VoxelGrid grid(0.25, {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(40, 40, 10)}, 0);
   std::vector<int> blocks;
-  for (const VoxelIndex& v : {VoxelIndex(0, 0, 0), VoxelIndex(8, 8, 0), VoxelIndex(144, 136, 8), VoxelIndex(152, 144, 8)})
+  for (const VoxelIndex& v :
+       {VoxelIndex(0, 0, 0), VoxelIndex(8, 8, 0), VoxelIndex(144, 136, 8), VoxelIndex(152, 144, 8)})
     blocks.push_back(grid.Block(v));
   const std::vector<DirtyBox> boxes = DirtyBoxes(grid, blocks, 24);
   ASSERT_EQ(boxes.size(), 2u);

@@ -128,9 +128,10 @@ TEST(OccupancyTree, HoldsTheClassOfEveryVoxelAndFollowsTheMap) {
     map.Update();
     tree.Update(map);
     for (std::size_t i = 0; i < map.grid().num_voxels(); ++i) {
-      const OccupancyTree::Leaf expected = map.state(i) == VoxelState::kUnknown ? OccupancyTree::Leaf::kUnknown
-                                           : map.distance_m(i) < 0.125          ? OccupancyTree::Leaf::kOccupied
-                                                                                : OccupancyTree::Leaf::kFree;
+      const OccupancyTree::Leaf expected = map.state(i) == VoxelState::kUnknown
+                                               ? OccupancyTree::Leaf::kUnknown
+                                           : map.distance_m(i) < 0.125 ? OccupancyTree::Leaf::kOccupied
+                                                                       : OccupancyTree::Leaf::kFree;
       ASSERT_EQ(tree.At(map.grid().Centre(map.grid().FromLinear(i))), expected);
     }
   }
@@ -143,7 +144,9 @@ TEST(OccupancyTree, HoldsTheClassOfEveryVoxelAndFollowsTheMap) {
     const Eigen::Vector3d p_W = map.grid().Centre(map.grid().FromLinear(i));
     const octomap::OcTreeNode* node = read.search(p_W.x(), p_W.y(), p_W.z());
     ASSERT_EQ(node != nullptr, tree.At(p_W) != OccupancyTree::Leaf::kUnknown);
-    if (node) { ASSERT_EQ(read.isNodeOccupied(node), tree.At(p_W) == OccupancyTree::Leaf::kOccupied); }
+    if (node) {
+      ASSERT_EQ(read.isNodeOccupied(node), tree.At(p_W) == OccupancyTree::Leaf::kOccupied);
+    }
   }
 }
 

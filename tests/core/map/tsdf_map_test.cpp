@@ -10,7 +10,8 @@ TEST(TsdfMap, QuantisesWhatWasObservedAndNothingElse) {
   const Quantisation codes(0.5, 0.05);
   TsdfBlock& block = map.Allocate(3);
   block.distance_m[0] = 0.1f, block.weight[0] = 0.3f, block.quality[0] = 0.05f;
-  block.distance_m[1] = 0.5f, block.weight[1] = 0.3f, block.quality[1] = 0.05f;  // free: its weight does not travel
+  block.distance_m[1] = 0.5f, block.weight[1] = 0.3f,
+  block.quality[1] = 0.05f;  // free: its weight does not travel
   block.distance_m[2] = 0.1f, block.weight[2] = 0.0f;
   map.MarkChanged(3);
   const MapBlock coded = map.Quantise(3, codes);

@@ -1,0 +1,134 @@
+#include "modules/map_fusion/map_fusion_module.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "core/map/ply.h"
+#include "modules/codec/lidar_scan.h"
+#include "modules/codec/map_summary.h"
+#include "modules/codec/uav_state.h"
+#include "tests/support/analytic_scene.h"
+
+namespace citrine {
+namespace {
+
+/// A base station, two UAVs that speak, and a hearer, on one bus in this process.
+class MapFusion : public ::testing::Test {
+ protected:
+  MapFusion() {
+    config_.mission.volume_min_m = Eigen::Vector3d(-8, -8, 0);
+    config_.mission.volume_max_m = Eigen::Vector3d(8, 8, 5);
+    config_.mission.spawns_m = {{-2, 0, 2.5}, {2, 0, 2.5}};
+    config_.mission.uavs = 2;
+    config_.launch.in_process = true;
+    config_.map.rotation_s = 2;
+    config_.launch.out = ::testing::TempDir() + "citrine_map_fusion_test";
+    std::filesystem::create_directories(config_.launch.out);
+    scene_.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0);
+    scene_.AddBox({-1, 3, 0}, {1, 5, 3});
+  }
+  ~MapFusion() override { std::filesystem::remove_all(config_.launch.out); }
+
+  void Begin() {
+    own_hearer_ = std::make_shared<MapHearer>(config_, station_);
+    module_ = std::make_unique<MapFusionModule>(ModuleContext{config_, station_, health_, 0, own_hearer_});
+  }
+  /// One step of 20 ms; the UAVs say what they see every fifth, if they fly.
+  void Tick(bool flying, bool last = false) {
+    const Step step{++index_, index_ * 20'000, last};
+    for (Bus* bus : {&uavs_, &station_, &listener_}) bus->BeginStep(step, true);
+    if (flying && index_ % 5 == 0)
+      for (int uav : {1, 2}) {
+        const Pose X_WS{config_.mission.spawns_m[uav - 1] + Eigen::Vector3d(0, 0.002 * index_, 0),
+                        Eigen::Quaterniond::Identity()};
+        UavState state;
+        state.utime = step.now;
+        state.X_WB = X_WS;
+        uavs_.Publish(channels::kUavState, uav, Encode(state));
+        test::AnalyticScene seen = scene_;
+        seen.AddSphere(config_.mission.spawns_m[2 - uav] + Eigen::Vector3d(0, 0.002 * index_, 0), 0.35);
+        LidarScan scan = seen.Scan(X_WS);
+        scan.measured = step.now;
+        uavs_.Publish(channels::kLidarScan, uav, Encode(scan));
+      }
+    if (module_) module_->Tick(step);
+    if (hearer_) hearer_->Update(step);
+    while (uavs_.Handle(0) > 0) {
+    }
+  }
+
+  MissionConfig config_;
+  test::AnalyticScene scene_;
+  std::shared_ptr<Transport> transport_ = std::make_shared<Transport>("memq://");
+  Bus uavs_{transport_}, station_{transport_}, listener_{transport_};
+  Health health_;
+  std::shared_ptr<MapHearer> own_hearer_, hearer_;
+  std::unique_ptr<MapFusionModule> module_;
+  std::int64_t index_ = 0;
+};
+
+TEST_F(MapFusion, LetsAHearerHoldTheBaseStationsMap) {
+  hearer_ = std::make_shared<MapHearer>(config_, listener_);
+  Begin();
+  for (int k = 0; k < 60; ++k) Tick(true);
+  for (int k = 0; k < 60; ++k) Tick(false);
+  EXPECT_GT(hearer_->map_version(), 0);
+  EXPECT_EQ(hearer_->map_version(), own_hearer_->map_version());
+  EXPECT_EQ(hearer_->map().Digest(), own_hearer_->map().Digest());
+  const PlanningMap& map = hearer_->map();
+  EXPECT_EQ(map.state(map.grid().Linear(map.grid().IndexOf({0.1, 2.9, 1.6}))), VoxelState::kOccupied);
+  EXPECT_EQ(map.state(map.grid().Linear(map.grid().IndexOf({0.1, 1.9, 2.4}))), VoxelState::kEmpty);
+}
+
+TEST_F(MapFusion, KeepsTeammatesOutOfTheMap) {
+  Begin();
+  for (int k = 0; k < 100; ++k) Tick(k < 50);
+  const PlanningMap& map = own_hearer_->map();
+  int occupied = 0;
+  for (std::size_t i = 0; i < map.grid().num_voxels(); ++i)
+    if (const double z = map.grid().Centre(map.grid().FromLinear(i)).z(); z > 1 && z < 4)
+      occupied += map.state(i) == VoxelState::kOccupied &&
+                  scene_.Distance(map.grid().Centre(map.grid().FromLinear(i))) > 0.75;
+  EXPECT_EQ(occupied, 0);
+}
+
+TEST_F(MapFusion, FillsAHearerThatJoinsLate) {
+  Begin();
+  for (int k = 0; k < 60; ++k) Tick(true);
+  hearer_ = std::make_shared<MapHearer>(config_, listener_);
+  EXPECT_EQ(hearer_->map_version(), -1);
+  for (int k = 0; k < 200; ++k) Tick(false);
+  EXPECT_EQ(hearer_->map_version(), own_hearer_->map_version());
+  EXPECT_EQ(hearer_->map().Digest(), own_hearer_->map().Digest());
+}
+
+TEST_F(MapFusion, RefusesASummaryOfAnotherGridAndLives) {
+  hearer_ = std::make_shared<MapHearer>(config_, listener_);
+  Tick(false);
+  MapSummary other;
+  other.grid = VoxelGrid(0.5, config_.volume_W(), 1);
+  other.truncation_m = 1;
+  other.weight_max = 1;
+  uavs_.Publish(channels::kMapSummary, Encode(other));
+  Tick(false);
+  Tick(false);
+  EXPECT_EQ(listener_.counts().bad, 1);
+}
+
+TEST_F(MapFusion, WritesMeshAndOctreeWhenTheMissionIsOver) {
+  Begin();
+  for (int k = 0; k < 30; ++k) Tick(true);
+  Tick(false, true);
+  EXPECT_EQ(health_.last_error(), "");
+  const TriMesh mesh = ReadPly(config_.launch.out + "/mesh.ply");
+  ASSERT_GT(mesh.triangles.size(), 1000u);
+  int far = 0;
+  for (const Eigen::Vector3f& p : mesh.vertices_W) far += std::abs(scene_.Distance(p.cast<double>())) > 0.125;
+  EXPECT_LT(far, 0.02 * mesh.vertices_W.size());  // at the limbs of the box
+  EXPECT_GT(std::filesystem::file_size(config_.launch.out + "/map.bt"), 1000u);
+  EXPECT_FALSE(health_.TakeSamples()["integration_ms"].empty());
+}
+
+}  // namespace
+}  // namespace citrine
