@@ -88,7 +88,7 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
   const auto cost = [&](const VoxelIndex& v, std::size_t linear) -> std::uint32_t {
     if (!space.OpenVoxel(linear)) return 0;
     if (!avoid.empty() && InsideABall(grid.Centre(v), avoid)) return 0;
-    if (!reachable_.ReachesInside(v)) return 2 * kUnit;
+    if (!reachable_.ReachesInside(v)) return kUnit + 1;
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
   std::vector<VoxelIndex> way = coarse_.Find(from, goal, tolerance, kHopefulMax, cost);
