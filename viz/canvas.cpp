@@ -131,7 +131,7 @@ void Canvas::Text(const Pixel& at, const std::string& text, Colour colour, doubl
   constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
   constexpr double kCapitals_px = 22;  // height of that font's capitals at scale 1
   const double size = height_px / kCapitals_px;
-  const int thickness = bold ? Thickness(std::max(2.0, height_px / 7)) : Thickness(height_px / 14);
+  const int thickness = Thickness(height_px / (bold ? 8 : 14));
   int below = 0;
   const double width = cv::getTextSize(text, kFont, size, thickness, &below).width;
   const double left = align == Align::kLeft ? 0 : align == Align::kCentre ? width / 2 : width;
@@ -148,20 +148,17 @@ void Canvas::Lay(const Image& cells, const std::vector<float>& cover, const Eige
   const int flags = (side > 1 ? cv::INTER_LINEAR : cv::INTER_NEAREST) | cv::WARP_INVERSE_MAP;
   const cv::Size size(static_cast<int>(map_width_), image_.height);
   Image copy = cells;
-  std::vector<float> mask = cover;
-  cv::Mat colours, opacity;
+  cv::Mat mask(cells.height, cells.width, CV_8U), colours, opacity;
+  std::transform(cover.begin(), cover.end(), mask.data, [](float t) { return static_cast<uchar>(std::lround(255 * t)); });
   cv::warpAffine(View(copy), colours, to_cell, size, flags, cv::BORDER_REPLICATE);
-  cv::warpAffine(cv::Mat(cells.height, cells.width, CV_32F, mask.data()), opacity, to_cell, size, flags,
-                 cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::warpAffine(mask, opacity, to_cell, size, flags, cv::BORDER_CONSTANT, cv::Scalar(0));
   for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const float t = opacity.at<float>(y, x);
-      if (t <= 0) continue;
-      const cv::Vec3b& over = colours.at<cv::Vec3b>(y, x);
-      std::uint8_t* below = image_.At(x, y);
-      for (int c = 0; c < 3; ++c) {
-        below[c] = static_cast<std::uint8_t>(static_cast<float>(below[c]) + t * static_cast<float>(over[c] - below[c]) + 0.5f);
-      }
+    const uchar* over = colours.ptr<uchar>(y);
+    const uchar* share = opacity.ptr<uchar>(y);
+    std::uint8_t* below = image_.At(0, y);
+    for (int x = 0; x < 3 * size.width; ++x) {
+      const int t = share[x / 3];
+      below[x] = static_cast<std::uint8_t>((below[x] * (255 - t) + over[x] * t + 127) / 255);
     }
   }
 }

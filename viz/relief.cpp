@@ -69,7 +69,8 @@ void Light(Relief& relief) {
       const std::size_t cell = relief.Cell(x, y);
       if (relief.seen[cell] != Relief::Seen::kSurface) continue;
       const double flat = std::sin(kSunAltitude_rad);
-      relief.light[cell] = static_cast<float>(0.3 + 0.7 * HillShade(relief, x, y) / flat * (0.35 + 0.65 * SunLeft(relief, x, y)));
+      const double sun = HillShade(relief, x, y) / flat * (0.25 + 0.75 * SunLeft(relief, x, y));
+      relief.light[cell] = static_cast<float>(0.32 + 0.68 * (sun > 1 ? 1 + 0.35 * (sun - 1) : sun));
     }
   }
 }

@@ -13,14 +13,18 @@ void MissionEnd::Hear(int uav, const FleetStatus& status) {
   if (!status.no_view_left) quiet_since_.reset();
 }
 
-void MissionEnd::HearMapVersion(std::int64_t map_version) { map_version_ = std::max(map_version_, map_version); }
+void MissionEnd::HearMap(std::int64_t map_version, std::uint64_t digest) {
+  if (map_version < map_version_) return;
+  if (digest != map_digest_) map_since_ = map_version;
+  map_version_ = map_version;
+  map_digest_ = digest;
+}
 
 std::optional<std::string> MissionEnd::At(Utime now) {
   if (AllSayNoViewLeft()) {
     if (!quiet_since_) {
       quiet_since_ = now;
-      version_to_agree_on_ = map_version_;
-      for (const Verdict& verdict : verdicts_) version_to_agree_on_ = std::max(version_to_agree_on_, verdict.map_version);
+      version_to_agree_on_ = NewestMap();
     }
     if (now - *quiet_since_ >= FromSeconds(kQuiet_s) && OldestVersion() >= version_to_agree_on_) return "surface_complete";
   }
@@ -30,6 +34,16 @@ std::optional<std::string> MissionEnd::At(Utime now) {
 
 bool MissionEnd::AllSayNoViewLeft() const {
   return std::all_of(verdicts_.begin(), verdicts_.end(), [](const Verdict& verdict) { return verdict.no_view_left; });
+}
+
+std::int64_t MissionEnd::NewestMap() const {
+  std::int64_t newest = map_since_;
+  for (const Verdict& verdict : verdicts_) newest = std::max(newest, FirstLike(verdict.map_version));
+  return newest;
+}
+
+std::int64_t MissionEnd::FirstLike(std::int64_t map_version) const {
+  return map_version <= map_version_ ? std::min(map_version, map_since_) : map_version;
 }
 
 std::int64_t MissionEnd::OldestVersion() const {

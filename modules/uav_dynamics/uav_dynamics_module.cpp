@@ -74,7 +74,8 @@ void UavDynamicsModule::HearTrajectories() {
 void UavDynamicsModule::HearTheEnd(Utime now) {
   for (const auto& entry : map_summaries_->Take()) {
     try {
-      end_.HearMapVersion(Decode(entry.message).map_version);
+      const MapSummary summary = Decode(entry.message);
+      end_.HearMap(summary.map_version, summary.digest);
     } catch (const BadMessage& error) {
       bus_.Reject(channels::kMapSummary.name, error.what());
     }

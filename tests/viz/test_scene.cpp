@@ -101,8 +101,10 @@ std::unique_ptr<PlanningMap> MapOf(const Eigen::AlignedBox3d& volume_W, const Sh
     for (int i = 0; i < kBlockVoxels; ++i) {
       const VoxelIndex v = origin + VoxelIndex(i % 8, i / 8 % 8, i / 64);
       const Vector3d p_W = grid.Centre(v);
-      const double distance_m = shape(p_W), range_m = seen_from(p_W);
-      if (distance_m < -truncation_m || range_m > 10) continue;
+      const double distance_m = shape(p_W);
+      if (distance_m < -truncation_m) continue;
+      const double range_m = seen_from(p_W);
+      if (range_m > 10) continue;
       block.distance[i] = quantisation.DistanceCode(distance_m);
       if (std::abs(distance_m) < truncation_m) block.weight[i] = quantisation.WeightCode(1 / (range_m * range_m));
     }
@@ -121,7 +123,7 @@ TestScene::TestScene() {
   const auto seen_from = [&](const Vector3d& p_W) {
     double nearest_m = 100;
     for (const SceneUav& uav : scene.uavs)
-      for (std::size_t i = 0; i < uav.trail_W.size(); i += 10) nearest_m = std::min(nearest_m, (uav.trail_W[i] - p_W).norm());
+      for (std::size_t i = 0; i < uav.trail_W.size(); i += 20) nearest_m = std::min(nearest_m, (uav.trail_W[i] - p_W).norm());
     return nearest_m + 0.7 * std::sin(1.3 * p_W.x()) * std::cos(1.1 * p_W.y());
   };
   map = MapOf(volume_W, Settlement, seen_from);

@@ -18,8 +18,14 @@ int CountOf(const Image& image, Colour colour) {
   return count;
 }
 
+/// Made once: a map of three million voxels takes its time.
+TestScene& Settlement() {
+  static TestScene scene;
+  return scene;
+}
+
 TEST(TopdownRenderer, DrawsTheWholeSceneInTheSameBitsEachTime) {
-  const TestScene test;
+  const TestScene& test = Settlement();
   const TopdownRenderer renderer(test.volume_W, 24);
   const Image first = renderer.Draw(test.scene);
   EXPECT_EQ(first.width % 2, 0);
@@ -30,7 +36,7 @@ TEST(TopdownRenderer, DrawsTheWholeSceneInTheSameBitsEachTime) {
 }
 
 TEST(TopdownRenderer, ShowsEveryUavInItsColour) {
-  TestScene test;
+  const TestScene& test = Settlement();
   const TopdownRenderer renderer(test.volume_W, 24);
   for (const SceneUav& uav : test.scene.uavs) {
     Scene alone = test.scene;
@@ -42,18 +48,18 @@ TEST(TopdownRenderer, ShowsEveryUavInItsColour) {
 TEST(TopdownRenderer, DrawsAMissionThatHasNoMapYet) {
   Scene empty;
   empty.mission = "empty";
-  const Image image = TopdownRenderer(TestScene().volume_W, 24).Draw(empty);
+  const Image image = TopdownRenderer(Settlement().volume_W, 24).Draw(empty);
   EXPECT_EQ(image.ColourAt(image.width / 4, image.height / 2), kUnknown);
 }
 
 TEST(TopdownRenderer, FitsLargeFleetsSmallWorldsAndCoarseScales) {
-  TestScene test;
-  while (test.scene.uavs.size() < 15) {
-    test.scene.uavs.push_back(test.scene.uavs[test.scene.uavs.size() % 3]);
-    test.scene.uavs.back().id = static_cast<int>(test.scene.uavs.size());
+  Scene scene = Settlement().scene;
+  while (scene.uavs.size() < 15) {
+    scene.uavs.push_back(scene.uavs[scene.uavs.size() % 3]);
+    scene.uavs.back().id = static_cast<int>(scene.uavs.size());
   }
   for (const double scale : {2.0, 7.0, 60.0}) {
-    const Image image = TopdownRenderer(test.volume_W, scale).Draw(test.scene);
+    const Image image = TopdownRenderer(Settlement().volume_W, scale).Draw(scene);
     EXPECT_GE(image.width, 45 * scale);
     EXPECT_GE(image.height, 720);
   }

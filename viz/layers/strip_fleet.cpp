@@ -28,12 +28,12 @@ void DrawFleetPart(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   const auto column = [&](double share) { return cursor.left + share * cursor.width(); };
   for (std::size_t i = 0; i < scene.uavs.size() && i < kRowsMax; ++i) {
     const SceneUav& uav = scene.uavs[i];
-    cursor.y += 25 * s;
+    cursor.y += 28 * s;
     const double size = 11.5 * s;
-    canvas.Disc({cursor.left + 8 * s, cursor.y - 5 * s}, 8 * s, UavColour(uav.id));
-    canvas.Text({cursor.left + 8 * s, cursor.y - 0.5 * s}, std::to_string(uav.id), kOutline, 9.5 * s, Canvas::Align::kCentre, true);
+    canvas.Disc({cursor.left + 9 * s, cursor.y - 5 * s}, 10 * s, UavColour(uav.id));
+    canvas.Text({cursor.left + 9 * s, cursor.y - 0.5 * s}, std::to_string(uav.id), kOutline, 10 * s, Canvas::Align::kCentre);
     const bool collided = uav.state.contacts > 0;
-    canvas.Text({cursor.left + 26 * s, cursor.y}, collided ? Format("%d hit", uav.state.contacts) : ActivityOf(uav),
+    canvas.Text({cursor.left + 30 * s, cursor.y}, collided ? Format("%d hit", uav.state.contacts) : ActivityOf(uav),
                 collided ? UavColour(5) : kTextDim, size);
     canvas.Text({column(0.57), cursor.y}, Format("%.1f m/s", uav.state.v_W.norm()), kText, size, Canvas::Align::kRight);
     canvas.Text({column(0.78), cursor.y}, Format("z %.1f", uav.state.X_WB.p.z()), kTextDim, size, Canvas::Align::kRight);

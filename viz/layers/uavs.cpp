@@ -52,8 +52,8 @@ void DrawAirframe(const SceneUav& uav, double radius_m, Canvas& canvas) {
   }
   const Pixel label = at + Pixel(0, -(radius_m * canvas.pixels_per_m() + 6 * s));
   const std::string name = std::to_string(uav.id);
-  canvas.Fill({label + Pixel(-10 * s, -17 * s), label + Pixel(10 * s, 3 * s)}, kOutline, 0.75);
-  canvas.Text(label + Pixel(0, -1 * s), name, colour, 13 * s, Canvas::Align::kCentre, true);
+  canvas.Fill({label + Pixel(-9 * s, -18 * s), label + Pixel(9 * s, 3 * s)}, kOutline, 0.75);
+  canvas.Text(label + Pixel(0, -1.5 * s), name, colour, 13 * s, Canvas::Align::kCentre);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST(MissionEnd, WaitsUntilThoseWhoSpokeOfAnOlderMapHaveLookedAtTheNewer) {
 
 TEST(MissionEnd, WaitsForAVerdictOnTheMapThatTheBaseStationHeldWhenAllAgreed) {
   MissionEnd end(1, 900);
-  end.HearMapVersion(20);
+  end.HearMap(19, 0xa);
+  end.HearMap(20, 0xb);
   end.Hear(1, Says(true, 19));
   EXPECT_FALSE(Wait(end, 0, 5).first);
   end.Hear(1, Says(true, 20));
@@ -69,18 +70,25 @@ TEST(MissionEnd, WaitsForAVerdictOnTheMapThatTheBaseStationHeldWhenAllAgreed) {
 
 TEST(MissionEnd, IsNotPutOffByAMapThatGoesOnChanging) {
   MissionEnd end(2, 900);
-  end.HearMapVersion(20);
-  end.Hear(1, Says(true, 20));
-  end.Hear(2, Says(true, 20));
   std::optional<std::string> reason;
   double t = 0;
-  for (std::int64_t version = 21; !reason && t < 10; t += 0.1, ++version) {
-    end.HearMapVersion(version);
+  for (std::int64_t version = 20; !reason && t < 10; t += 0.5, ++version) {
+    end.HearMap(version, static_cast<std::uint64_t>(version));
     end.Hear(1, Says(true, version - 1));
+    end.Hear(2, Says(true, version - 2));
     reason = end.At(FromSeconds(t));
   }
   EXPECT_EQ(reason, "surface_complete");
-  EXPECT_LT(t, 2.3);
+  EXPECT_LE(t, 3.0);
+}
+
+TEST(MissionEnd, DoesNotAskForANewVerdictOnVersionsThatAreTheSameMap) {
+  MissionEnd end(2, 900);
+  end.HearMap(20, 0xa);
+  end.Hear(1, Says(true, 20));
+  for (std::int64_t version = 21; version < 40; ++version) end.HearMap(version, 0xa);
+  end.Hear(2, Says(true, 30));
+  EXPECT_EQ(Wait(end, 0, 5).first, "surface_complete");
 }
 
 TEST(MissionEnd, ComesAtTheTimeLimit) {
