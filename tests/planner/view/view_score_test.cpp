@@ -1,0 +1,63 @@
+#include "planner/view/view_score.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/random_map.h"
+
+namespace citrine::planner {
+namespace {
+
+TEST(BestView, IsTheArgumentOfTheMaximumThatAPlainDoubleLoopFinds) {
+  for (const std::uint64_t seed : {21, 22, 23, 24}) {
+    testing::RandomMap world(seed);
+    ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
+    surface.Update(world.map);
+    const std::vector<Element> elements = ListElements(world.map, surface, [](std::uint32_t v) { return v % 5 != 0; });
+    const SensorWindow window{LidarModel()};
+    const InformationGain gain(world.map, elements, window, 0.5);
+    for (const double alpha : {1.0, 4.0}) {
+      std::vector<ViewTerms> views(80);
+      for (ViewTerms& view : views) {
+        view.p_W = world.Point({12, 10, 8});
+        view.navigation = world.random().Uniform();
+        view.coordination = world.random().Below(3) / 2.0;
+      }
+      views[17] = views[5];  // a tie
+      const ScoreWeights weights{alpha, 1, 2};
+
+      int most = 0;
+      std::vector<Gain> all;
+      for (const ViewTerms& view : views) all.push_back(gain.Evaluate(view.p_W)), most = std::max(most, all.back().visible);
+      std::vector<bool> out(views.size());
+      BestView best(gain, views, weights);
+      EXPECT_EQ(best.most_visible(), most);
+      for (int round = 0; round < 10; ++round) {
+        std::size_t expected = views.size();
+        double highest = -1;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+          const double total = alpha * (all[i].sum / most) + views[i].navigation + 2 * views[i].coordination;
+          if (!out[i] && total > highest) highest = total, expected = i;
+        }
+        const std::optional<std::size_t> found = best.Next();
+        ASSERT_TRUE(found);
+        ASSERT_EQ(*found, expected);
+        EXPECT_NEAR(best.ScoreOf(*found).total, highest, 1e-12);
+        best.Discard(expected);
+        out[expected] = true;
+      }
+    }
+  }
+}
+
+TEST(BestView, IsNoneOnceAllAreDiscarded) {
+  testing::RandomMap world(3);
+  const SensorWindow window{LidarModel()};
+  const InformationGain gain(world.map, {}, window, 0.5);
+  BestView best(gain, {ViewTerms{}}, {});
+  ASSERT_EQ(best.Next(), 0u);
+  best.Discard(0);
+  EXPECT_FALSE(best.Next());
+}
+
+}  // namespace
+}  // namespace citrine::planner
