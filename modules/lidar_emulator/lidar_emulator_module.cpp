@@ -26,13 +26,16 @@ Utime PhaseOf(int uav, const MissionConfig& config) {
 LidarEmulatorModule::LidarEmulatorModule(const ModuleContext& context)
     : bus_(context.bus),
       health_(context.health),
-      emulator_(std::make_shared<sim::RayScene>(sim::LoadWorld(context.config.mission.world)), context.config.lidar.model,
-                context.config.lidar.noise_m_per_m2),
+      emulator_(std::make_shared<sim::RayScene>(sim::LoadWorld(context.config.mission.world)),
+                context.config.lidar.model, context.config.lidar.noise_m_per_m2),
       states_(bus_.HearAll(channels::kUavState)) {
   const MissionConfig& config = context.config;
   for (int uav = 1; uav <= config.mission.uavs; ++uav)
     sensors_.push_back({Every(1 / config.lidar.rate_hz, PhaseOf(uav, config)),
-                        Random(static_cast<std::uint64_t>(config.mission.seed), kNoiseStream + static_cast<std::uint64_t>(uav)), {}, {}});
+                        Random(static_cast<std::uint64_t>(config.mission.seed),
+                               kNoiseStream + static_cast<std::uint64_t>(uav)),
+                        {},
+                        {}});
 }
 
 void LidarEmulatorModule::Tick(const Step& step) {
@@ -41,7 +44,8 @@ void LidarEmulatorModule::Tick(const Step& step) {
     Sensor& sensor = sensors_[i];
     if (!sensor.newest || sensor.scanned == sensor.newest->utime || !sensor.every.Due(step.now)) continue;
     const Stopwatch stopwatch;
-    const LidarScan scan = emulator_.Scan(sensor.newest->utime, sensor.newest->X_WB, TeammatesOf(i), sensor.noise);
+    const LidarScan scan =
+        emulator_.Scan(sensor.newest->utime, sensor.newest->X_WB, TeammatesOf(i), sensor.noise);
     sensor.scanned = scan.measured;
     health_.Sample("scan_ms", stopwatch.ms());
     bus_.Publish(channels::kLidarScan, static_cast<int>(i) + 1, Encode(scan));

@@ -13,8 +13,9 @@
 
 namespace citrine {
 
-/// The fleet's LiDARs: hears UAV<i>_STATE, says UAV<i>_LIDAR_SCAN at lidar.rate_hz, the UAVs staggered over the period.
-/// A scan is taken at the newest pose heard, which is also the pose that it says; the sensor sits in the body's origin.
+/// The fleet's LiDARs: hears UAV<i>_STATE, says UAV<i>_LIDAR_SCAN at lidar.rate_hz, the UAVs staggered over
+/// the period. A scan is taken at the newest pose heard, which is also the pose that it says; the sensor sits
+/// in the body's origin.
 class LidarEmulatorModule : public Module {
  public:
   static constexpr const char* kName = "lidar_emulator";
@@ -32,7 +33,7 @@ class LidarEmulatorModule : public Module {
     Every every;
     Random noise;
     std::optional<UavState> newest;
-    std::optional<Utime> scanned;   ///< utime of the state that was scanned last
+    std::optional<Utime> scanned;  ///< utime of the state that was scanned last
   };
 
   void HearStates();
@@ -41,7 +42,7 @@ class LidarEmulatorModule : public Module {
   Bus& bus_;
   Health& health_;
   sim::LidarEmulator emulator_;
-  std::vector<Sensor> sensors_;     ///< by UAV id - 1
+  std::vector<Sensor> sensors_;  ///< by UAV id - 1
   std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
 };
 

@@ -9,8 +9,9 @@ namespace citrine::sim {
 namespace {
 
 /// Shortens the ranges of the beams that meet a sphere. @param to_centre_W  from the sensor to its centre
-void SeeSphere(const Eigen::Vector3f& to_centre_W, float radius_m, const std::vector<Eigen::Vector3f>& directions_W,
-               float range_max_m, std::vector<float>& ranges_m) {
+void SeeSphere(const Eigen::Vector3f& to_centre_W, float radius_m,
+               const std::vector<Eigen::Vector3f>& directions_W, float range_max_m,
+               std::vector<float>& ranges_m) {
   const float distance_sq = to_centre_W.squaredNorm(), radius_sq = radius_m * radius_m;
   if (distance_sq <= radius_sq || distance_sq > (range_max_m + radius_m) * (range_max_m + radius_m)) return;
   for (std::size_t i = 0; i < directions_W.size(); ++i) {
@@ -24,10 +25,12 @@ void SeeSphere(const Eigen::Vector3f& to_centre_W, float radius_m, const std::ve
 
 }  // namespace
 
-LidarEmulator::LidarEmulator(std::shared_ptr<const RayScene> scene, const LidarModel& model, double noise_m_per_m2)
+LidarEmulator::LidarEmulator(std::shared_ptr<const RayScene> scene, const LidarModel& model,
+                             double noise_m_per_m2)
     : scene_(std::move(scene)), model_(model), noise_m_per_m2_(noise_m_per_m2) {
   for (int row = 0; row < model_.rows; ++row)
-    for (int col = 0; col < model_.cols; ++col) directions_S_.push_back(model_.Direction(row, col).cast<float>());
+    for (int col = 0; col < model_.cols; ++col)
+      directions_S_.push_back(model_.Direction(row, col).cast<float>());
 }
 
 LidarScan LidarEmulator::Scan(Utime utime, const Pose& X_WS, const std::vector<Eigen::Vector3d>& teammates_W,
@@ -35,11 +38,14 @@ LidarScan LidarEmulator::Scan(Utime utime, const Pose& X_WS, const std::vector<E
   LidarScan scan{utime, X_WS, model_, std::vector<float>(directions_S_.size())};
   const Eigen::Matrix3f R_WS = X_WS.q.toRotationMatrix().cast<float>();
   std::vector<Eigen::Vector3f> directions_W(directions_S_.size());
-  std::ranges::transform(directions_S_, directions_W.begin(), [&](const auto& d_S) { return Eigen::Vector3f(R_WS * d_S); });
-  const auto range_min_m = static_cast<float>(model_.range_min_m), range_max_m = static_cast<float>(model_.range_max_m);
+  std::ranges::transform(directions_S_, directions_W.begin(),
+                         [&](const auto& d_S) { return Eigen::Vector3f(R_WS * d_S); });
+  const auto range_min_m = static_cast<float>(model_.range_min_m),
+             range_max_m = static_cast<float>(model_.range_max_m);
   scene_->Cast(X_WS.p.cast<float>(), directions_W, range_max_m, scan.ranges_m);
   for (const Eigen::Vector3d& teammate_W : teammates_W)
-    SeeSphere((teammate_W - X_WS.p).cast<float>(), static_cast<float>(kAirframeRadius_m), directions_W, range_max_m, scan.ranges_m);
+    SeeSphere((teammate_W - X_WS.p).cast<float>(), static_cast<float>(kAirframeRadius_m), directions_W,
+              range_max_m, scan.ranges_m);
   for (float& range : scan.ranges_m) {
     if (!std::isfinite(range)) {
       range = kNoReturn;

@@ -11,14 +11,16 @@
 
 namespace citrine::sim {
 
-/// Fires the LiDAR model's beams into the true world (paper, section V-A). Range noise has sigma(r) = noise r^2. Other
-/// UAVs are seen as spheres of kAirframeRadius_m. A surface nearer than range_min makes a beam kInvalid.
+/// Fires the LiDAR model's beams into the true world (paper, section V-A). Range noise has sigma(r) = noise
+/// r^2. Other UAVs are seen as spheres of kAirframeRadius_m. A surface nearer than range_min makes a beam
+/// kInvalid.
 class LidarEmulator {
  public:
   LidarEmulator(std::shared_ptr<const RayScene> scene, const LidarModel& model, double noise_m_per_m2);
 
   /// One revolution, taken at one instant. @param teammates_W  centres of the other UAVs
-  LidarScan Scan(Utime utime, const Pose& X_WS, const std::vector<Eigen::Vector3d>& teammates_W, Random& random) const;
+  LidarScan Scan(Utime utime, const Pose& X_WS, const std::vector<Eigen::Vector3d>& teammates_W,
+                 Random& random) const;
 
  private:
   std::shared_ptr<const RayScene> scene_;

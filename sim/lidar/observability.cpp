@@ -18,7 +18,9 @@ struct FieldOfView {
   explicit FieldOfView(const LidarModel& model)
       : sin_min(static_cast<float>(std::sin(model.elevation_min_rad) - 1e-6)),
         sin_max(static_cast<float>(std::sin(model.elevation_max_rad) + 1e-6)) {}
-  bool Contains(float z_S, float range_m) const { return z_S >= sin_min * range_m && z_S <= sin_max * range_m; }
+  bool Contains(float z_S, float range_m) const {
+    return z_S >= sin_min * range_m && z_S <= sin_max * range_m;
+  }
   float sin_min, sin_max;
 };
 
@@ -41,7 +43,8 @@ std::vector<Offset> OffsetsInRange(const LidarModel& model, const FieldOfView& v
         const auto down_m = static_cast<float>(-kLatticeStep_m * z);  // the sample's height above the pose
         const float range_m = length_m + rounding_m;
         if (length_m > reach_m || length_m < model.range_min_m - rounding_m) continue;
-        if (down_m + rounding_m < view.sin_min * range_m || down_m - rounding_m > view.sin_max * range_m) continue;
+        if (down_m + rounding_m < view.sin_min * range_m || down_m - rounding_m > view.sin_max * range_m)
+          continue;
         offsets.push_back({steps, length_m});
       }
   std::ranges::stable_sort(offsets, {}, &Offset::length_m);
@@ -52,7 +55,11 @@ std::vector<Offset> OffsetsInRange(const LidarModel& model, const FieldOfView& v
 class Viewer {
  public:
   Viewer(const ReachableLattice& lattice, const RayScene& scene, const LidarModel& model)
-      : lattice_(lattice), scene_(scene), model_(model), view_(model), offsets_(OffsetsInRange(model, view_)) {}
+      : lattice_(lattice),
+        scene_(scene),
+        model_(model),
+        view_(model),
+        offsets_(OffsetsInRange(model, view_)) {}
 
   struct Seen {
     bool observable = false, within_goal = false;
@@ -87,7 +94,8 @@ class Viewer {
     const Eigen::Vector3f from_W = lattice_.Position(i).cast<float>();
     const Eigen::Vector3f ray = begin_.sample->p_W - from_W;
     const float range_m = ray.norm();
-    if (range_m < model_.range_min_m || range_m > model_.range_max_m || !view_.Contains(ray.z(), range_m)) return;
+    if (range_m < model_.range_min_m || range_m > model_.range_max_m || !view_.Contains(ray.z(), range_m))
+      return;
     if (begin_.solid_behind && ray.dot(begin_.sample->n_W) >= 0) return;
     poses_[pending_] = i;
     from_W_[pending_] = from_W;
@@ -100,7 +108,8 @@ class Viewer {
     std::array<Eigen::Vector3f, kBatch> target_W;
     target_W.fill(begin_.sample->p_W);
     std::array<std::uint8_t, kBatch> free;
-    scene_.Unoccluded({from_W_.data(), static_cast<std::size_t>(pending_)}, {target_W.data(), static_cast<std::size_t>(pending_)},
+    scene_.Unoccluded({from_W_.data(), static_cast<std::size_t>(pending_)},
+                      {target_W.data(), static_cast<std::size_t>(pending_)},
                       {free.data(), static_cast<std::size_t>(pending_)});
     for (int k = 0; k < pending_ && !begin_.seen.within_goal; ++k) {
       if (!free[k]) continue;
@@ -111,7 +120,8 @@ class Viewer {
     pending_ = 0;
     // A sample that is hard to see: poses behind its own solid are not worth a ray.
     if (++begin_.batches == kBatchesBeforeLookingBehind)
-      begin_.solid_behind = scene_.Solid((begin_.sample->p_W - static_cast<float>(kProbe_m) * begin_.sample->n_W).cast<double>());
+      begin_.solid_behind = scene_.Solid(
+          (begin_.sample->p_W - static_cast<float>(kProbe_m) * begin_.sample->n_W).cast<double>());
   }
 
   const ReachableLattice& lattice_;

@@ -15,7 +15,8 @@ namespace citrine::sim {
 
 /// What of the true surface can be seen at all; 0 or 1 for each of its samples.
 struct Observability {
-  std::vector<std::uint8_t> observable;   ///< unoccluded from a reachable pose, within [r_min, r_max] and the level field of view
+  std::vector<std::uint8_t>
+      observable;  ///< unoccluded from a reachable pose, within [r_min, r_max] and the level field of view
   std::vector<std::uint8_t> within_goal;  ///< the same from within d*
 };
 
@@ -23,14 +24,14 @@ struct Observability {
 Observability FindObservable(const std::vector<SurfaceSample>& samples, const ReachableLattice& lattice,
                              const RayScene& scene, const LidarModel& model, const QualityGoals& goals);
 
-/// The same, kept in a file of `cache_folder` whose name holds the world's hash and a digest of everything else that
-/// the answer depends on. A folder that cannot be written or a damaged file only costs the time.
+/// The same, kept in a file of `cache_folder` whose name holds the world's hash and a digest of everything
+/// else that the answer depends on. A folder that cannot be written or a damaged file only costs the time.
 Observability FindObservableCached(const std::string& cache_folder, const std::vector<SurfaceSample>& samples,
-                                   const ReachableLattice& lattice, const RayScene& scene, const LidarModel& model,
-                                   const QualityGoals& goals);
+                                   const ReachableLattice& lattice, const RayScene& scene,
+                                   const LidarModel& model, const QualityGoals& goals);
 
-/// Which samples were seen from within d*: unoccluded from one of the sensor poses at which scans were taken, within
-/// range and within the field of view as the sensor was tilted then. 0 or 1 for each sample.
+/// Which samples were seen from within d*: unoccluded from one of the sensor poses at which scans were taken,
+/// within range and within the field of view as the sensor was tilted then. 0 or 1 for each sample.
 std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
                                  const RayScene& scene, const LidarModel& model, const QualityGoals& goals);
 

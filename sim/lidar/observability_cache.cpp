@@ -11,8 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Digest of all that the flags depend on beside the world.
-std::uint64_t KeyOf(const std::vector<SurfaceSample>& samples, const ReachableLattice& lattice, const LidarModel& model,
-                    const QualityGoals& goals) {
+std::uint64_t KeyOf(const std::vector<SurfaceSample>& samples, const ReachableLattice& lattice,
+                    const LidarModel& model, const QualityGoals& goals) {
   Digest digest;
   const auto add = [&](const auto& value) { digest.Add(&value, sizeof value); };
   for (const SurfaceSample& sample : samples) {
@@ -22,7 +22,9 @@ std::uint64_t KeyOf(const std::vector<SurfaceSample>& samples, const ReachableLa
   digest.Add(lattice.origin_W.data(), sizeof(double) * 3);
   digest.Add(lattice.size.data(), sizeof(int) * 3);
   digest.Add(lattice.reachable.data(), lattice.reachable.size());
-  for (const double value : {model.elevation_min_rad, model.elevation_max_rad, model.range_min_m, model.range_max_m}) add(value);
+  for (const double value :
+       {model.elevation_min_rad, model.elevation_max_rad, model.range_min_m, model.range_max_m})
+    add(value);
   return digest.value();
 }
 
@@ -47,7 +49,8 @@ std::optional<Observability> Read(const fs::path& file, std::size_t num_samples)
 /// Written beside and moved into place, so that a reader never meets half a file.
 void Write(const fs::path& file, const Observability& flags) {
   std::vector<std::uint8_t> bytes(flags.observable.size());
-  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(flags.observable[i] | flags.within_goal[i] << 1);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<std::uint8_t>(flags.observable[i] | flags.within_goal[i] << 1);
   Digest digest;
   digest.Add(bytes.data(), bytes.size());
   const std::uint64_t sum = digest.value();
@@ -65,10 +68,10 @@ void Write(const fs::path& file, const Observability& flags) {
 }  // namespace
 
 Observability FindObservableCached(const std::string& cache_folder, const std::vector<SurfaceSample>& samples,
-                                   const ReachableLattice& lattice, const RayScene& scene, const LidarModel& model,
-                                   const QualityGoals& goals) {
-  const fs::path file = fs::path(cache_folder) /
-                        ("observable-" + Hex(scene.world_hash()) + "-" + Hex(KeyOf(samples, lattice, model, goals)) + ".bin");
+                                   const ReachableLattice& lattice, const RayScene& scene,
+                                   const LidarModel& model, const QualityGoals& goals) {
+  const fs::path file = fs::path(cache_folder) / ("observable-" + Hex(scene.world_hash()) + "-" +
+                                                  Hex(KeyOf(samples, lattice, model, goals)) + ".bin");
   if (std::optional<Observability> kept = Read(file, samples.size())) return *kept;
   const Observability found = FindObservable(samples, lattice, scene, model, goals);
   Write(file, found);

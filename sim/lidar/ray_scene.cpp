@@ -10,8 +10,8 @@ namespace citrine::sim {
 namespace {
 
 constexpr int kPacket = 8;
-constexpr int kDirections = 14;         ///< of the test for solid
-constexpr int kEnclosedAtLeast = 12;    ///< of them
+constexpr int kDirections = 14;       ///< of the test for solid
+constexpr int kEnclosedAtLeast = 12;  ///< of them
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// What a ray of the test for solid has passed through.
@@ -43,8 +43,10 @@ const std::array<Eigen::Vector3f, kDirections>& SolidDirections() {
   static const auto directions = [] {
     std::array<Eigen::Vector3f, kDirections> all;
     for (int i = 0; i < kDirections; ++i) {
-      const double z = 1 - 2 * (i + 0.5) / kDirections, r = std::sqrt(1 - z * z), angle = 0.37 + 2.399963229728653 * i;
-      // The order is mixed so that opposite directions come early, and free points are settled after three rays.
+      const double z = 1 - 2 * (i + 0.5) / kDirections, r = std::sqrt(1 - z * z),
+                   angle = 0.37 + 2.399963229728653 * i;
+      // The order is mixed so that opposite directions come early, and free points are settled after three
+      // rays.
       all[(i * 5) % kDirections] = Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z).cast<float>();
     }
     return all;
@@ -52,8 +54,8 @@ const std::array<Eigen::Vector3f, kDirections>& SolidDirections() {
   return directions;
 }
 
-Eigen::Vector3f ClosestOnTriangle(const Eigen::Vector3f& p, const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                                  const Eigen::Vector3f& c) {
+Eigen::Vector3f ClosestOnTriangle(const Eigen::Vector3f& p, const Eigen::Vector3f& a,
+                                  const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
   // Regions of the plane around a triangle (Ericson, Real-Time Collision Detection, section 5.1.5).
   const Eigen::Vector3f ab = b - a, ac = c - a, ap = p - a;
   const float d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -79,7 +81,8 @@ bool NearestTriangle(RTCPointQueryFunctionArguments* args) {
   const auto& triangle = mesh.triangles[args->primID];
   const Eigen::Vector3f p(args->query->x, args->query->y, args->query->z);
   const float distance = (p - ClosestOnTriangle(p, mesh.vertices_W[triangle[0]], mesh.vertices_W[triangle[1]],
-                                                mesh.vertices_W[triangle[2]])).norm();
+                                                mesh.vertices_W[triangle[2]]))
+                             .norm();
   if (distance >= args->query->radius) return false;
   args->query->radius = distance;
   return true;
@@ -111,12 +114,13 @@ RayScene::RayScene(const World& world) : impl_(std::make_unique<Impl>()) {
   impl_->device = rtcNewDevice("threads=1,isa=avx2");
   if (!impl_->device) throw std::runtime_error("Embree cannot be started; it needs a processor with AVX2");
   impl_->scene = rtcNewScene(impl_->device);
-  rtcSetSceneFlags(impl_->scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  rtcSetSceneFlags(impl_->scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                            RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   const RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), mesh.vertices_W.size()));
-  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(unsigned), mesh.triangles.size()));
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices_W.size()));
+  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
   for (const Eigen::Vector3f& v : mesh.vertices_W) vertices = std::copy_n(v.data(), 3, vertices);
   for (const auto& triangle : mesh.triangles) indices = std::copy_n(triangle.begin(), 3, indices);
   rtcCommitGeometry(geometry);
@@ -128,8 +132,8 @@ RayScene::RayScene(const World& world) : impl_(std::make_unique<Impl>()) {
 RayScene::~RayScene() = default;
 std::uint64_t RayScene::world_hash() const { return impl_->world_hash; }
 
-void RayScene::Cast(const Eigen::Vector3f& origin_W, std::span<const Eigen::Vector3f> directions, float range_max_m,
-                    std::span<float> ranges_m) const {
+void RayScene::Cast(const Eigen::Vector3f& origin_W, std::span<const Eigen::Vector3f> directions,
+                    float range_max_m, std::span<float> ranges_m) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -140,7 +144,8 @@ void RayScene::Cast(const Eigen::Vector3f& origin_W, std::span<const Eigen::Vect
     for (int i = 0; i < kPacket; ++i) {
       valid[i] = i < count ? -1 : 0;
       const Eigen::Vector3f& d = directions[first + std::min(i, count - 1)];
-      packet.ray.org_x[i] = origin_W.x(), packet.ray.org_y[i] = origin_W.y(), packet.ray.org_z[i] = origin_W.z();
+      packet.ray.org_x[i] = origin_W.x(), packet.ray.org_y[i] = origin_W.y(),
+      packet.ray.org_z[i] = origin_W.z();
       packet.ray.dir_x[i] = d.x(), packet.ray.dir_y[i] = d.y(), packet.ray.dir_z[i] = d.z();
       packet.ray.tnear[i] = 0, packet.ray.tfar[i] = range_max_m;
       packet.ray.time[i] = 0, packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
@@ -152,10 +157,12 @@ void RayScene::Cast(const Eigen::Vector3f& origin_W, std::span<const Eigen::Vect
   }
 }
 
-RayScene::Hit RayScene::CastOne(const Eigen::Vector3f& origin_W, const Eigen::Vector3f& direction, float range_max_m) const {
+RayScene::Hit RayScene::CastOne(const Eigen::Vector3f& origin_W, const Eigen::Vector3f& direction,
+                                float range_max_m) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit query{{origin_W.x(), origin_W.y(), origin_W.z(), 0, direction.x(), direction.y(), direction.z(), 0, range_max_m, ~0u, 0, 0},
+  RTCRayHit query{{origin_W.x(), origin_W.y(), origin_W.z(), 0, direction.x(), direction.y(), direction.z(),
+                   0, range_max_m, ~0u, 0, 0},
                   {0, 0, 0, 0, 0, 0, RTC_INVALID_GEOMETRY_ID, {RTC_INVALID_GEOMETRY_ID}}};
   rtcIntersect1(impl_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};

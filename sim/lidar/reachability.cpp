@@ -24,7 +24,8 @@ ReachableLattice FindReachable(const RayScene& scene, const Eigen::AlignedBox3d&
                                const std::vector<Eigen::Vector3d>& spawns_W, double radius_m) {
   ReachableLattice lattice;
   lattice.origin_W = volume_W.min();
-  lattice.size = (volume_W.sizes() / kLatticeStep_m + Eigen::Vector3d::Constant(1 + 1e-6)).array().floor().cast<int>();
+  lattice.size =
+      (volume_W.sizes() / kLatticeStep_m + Eigen::Vector3d::Constant(1 + 1e-6)).array().floor().cast<int>();
   std::vector<Mark> marks(static_cast<std::size_t>(lattice.size.prod()), Mark::kUnknown);
   std::vector<Eigen::Vector3i> front;
   const auto reach = [&](const Eigen::Vector3i& i) {

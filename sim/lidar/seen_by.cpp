@@ -17,7 +17,8 @@ class Unseen {
     if (samples.empty()) return;
     size_ = ((box_.sizes() / kCell_m).array().floor().cast<int>() + 1).matrix();
     cells_.resize(static_cast<std::size_t>(size_.prod()));
-    for (std::size_t i = 0; i < samples.size(); ++i) cells_[Linear(CellOf(samples[i].p_W))].push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      cells_[Linear(CellOf(samples[i].p_W))].push_back(static_cast<int>(i));
   }
 
   /// Calls `visit` with every cell that a ball touches.
@@ -25,7 +26,8 @@ class Unseen {
   void ForCellsNear(const Eigen::Vector3f& centre_W, float radius_m, Visit visit) {
     if (cells_.empty()) return;
     const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius_m);
-    const Eigen::Vector3i low = CellOf(centre_W - reach).cwiseMax(0), high = CellOf(centre_W + reach).cwiseMin((size_.array() - 1).matrix());
+    const Eigen::Vector3i low = CellOf(centre_W - reach).cwiseMax(0),
+                          high = CellOf(centre_W + reach).cwiseMin((size_.array() - 1).matrix());
     for (int z = low.z(); z <= high.z(); ++z)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int x = low.x(); x <= high.x(); ++x)
@@ -37,7 +39,8 @@ class Unseen {
     return ((p_W - box_.min()) / kCell_m).array().floor().cast<int>();
   }
   std::size_t Linear(const Eigen::Vector3i& c) const {
-    return static_cast<std::size_t>(c.x()) + static_cast<std::size_t>(size_.x()) * (c.y() + static_cast<std::size_t>(size_.y()) * c.z());
+    return static_cast<std::size_t>(c.x()) +
+           static_cast<std::size_t>(size_.x()) * (c.y() + static_cast<std::size_t>(size_.y()) * c.z());
   }
 
   const std::vector<SurfaceSample>& samples_;
@@ -54,13 +57,15 @@ std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, cons
   const double sin_min = std::sin(model.elevation_min_rad), sin_max = std::sin(model.elevation_max_rad);
   std::vector<float> goal_m;
   for (const SurfaceSample& sample : samples)
-    goal_m.push_back(static_cast<float>(std::min(goals.At(sample.p_W.cast<double>()).d_star_m, model.range_max_m)));
+    goal_m.push_back(
+        static_cast<float>(std::min(goals.At(sample.p_W.cast<double>()).d_star_m, model.range_max_m)));
   std::vector<std::uint8_t> seen(samples.size(), 0), free;
   std::vector<Eigen::Vector3f> from_W, target_W;
   std::vector<int> candidates;
   Unseen unseen(samples);
   for (const Pose& pose : X_WS) {
-    const Eigen::Vector3f p_W = pose.p.cast<float>(), up_W = (pose.q * Eigen::Vector3d::UnitZ()).cast<float>();
+    const Eigen::Vector3f p_W = pose.p.cast<float>(),
+                          up_W = (pose.q * Eigen::Vector3d::UnitZ()).cast<float>();
     candidates.clear();
     target_W.clear();
     unseen.ForCellsNear(p_W, reach_m, [&](std::vector<int>& cell) {
@@ -68,7 +73,9 @@ std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, cons
       for (const int i : cell) {
         const Eigen::Vector3f ray = samples[i].p_W - p_W;
         const float range_m = ray.norm(), z_S = ray.dot(up_W);
-        if (range_m > goal_m[i] || range_m < model.range_min_m || z_S < sin_min * range_m || z_S > sin_max * range_m) continue;
+        if (range_m > goal_m[i] || range_m < model.range_min_m || z_S < sin_min * range_m ||
+            z_S > sin_max * range_m)
+          continue;
         candidates.push_back(i);
         target_W.push_back(samples[i].p_W);
       }

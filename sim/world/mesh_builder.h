@@ -8,7 +8,8 @@
 
 namespace citrine::sim {
 
-/// Adds a mesh to a world as a new part. Triangles without area are dropped; a mesh of nothing else adds no part.
+/// Adds a mesh to a world as a new part. Triangles without area are dropped; a mesh of nothing else adds no
+/// part.
 /// @param X_WM  places the mesh's vertices in the world, scale included
 /// @throws WorldError if a vertex is not finite
 void AddPart(const TriMesh& mesh_M, const Eigen::Affine3d& X_WM, const Part& part, World& world);

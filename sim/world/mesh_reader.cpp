@@ -31,7 +31,8 @@ TriMesh ToTriMesh(const aiMesh& mesh, const aiMatrix4x4& X_FM, bool y_up) {
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];
     if (face.mNumIndices != 3) continue;
-    std::array<int, 3> t{static_cast<int>(face.mIndices[0]), static_cast<int>(face.mIndices[1]), static_cast<int>(face.mIndices[2])};
+    std::array<int, 3> t{static_cast<int>(face.mIndices[0]), static_cast<int>(face.mIndices[1]),
+                         static_cast<int>(face.mIndices[2])};
     if (mirrored) std::swap(t[1], t[2]);
     out.triangles.push_back(t);
   }
@@ -39,8 +40,8 @@ TriMesh ToTriMesh(const aiMesh& mesh, const aiMatrix4x4& X_FM, bool y_up) {
 }
 
 /// Collects the meshes of a node and of those below it, placed in the file's frame F.
-void Collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_FP, std::vector<std::string> nodes, bool y_up,
-             std::vector<NamedMesh>& meshes) {
+void Collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_FP,
+             std::vector<std::string> nodes, bool y_up, std::vector<NamedMesh>& meshes) {
   const aiMatrix4x4 X_FN = X_FP * node.mTransformation;
   nodes.emplace_back(node.mName.C_Str());
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -48,18 +49,21 @@ void Collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_FP, 
     NamedMesh named{mesh.mName.C_Str(), nodes, ToTriMesh(mesh, X_FN, y_up)};
     if (!named.mesh.triangles.empty()) meshes.push_back(std::move(named));
   }
-  for (unsigned i = 0; i < node.mNumChildren; ++i) Collect(scene, *node.mChildren[i], X_FN, nodes, y_up, meshes);
+  for (unsigned i = 0; i < node.mNumChildren; ++i)
+    Collect(scene, *node.mChildren[i], X_FN, nodes, y_up, meshes);
 }
 
 }  // namespace
 
 std::vector<NamedMesh> ReadMeshFile(const std::string& path) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS |
+                                                          aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS);
-  const aiScene* scene =
-      importer.ReadFile(path, aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
-  if (!scene || !scene->mRootNode) throw WorldError(path + ": cannot be read as a mesh: " + importer.GetErrorString());
+  const aiScene* scene = importer.ReadFile(
+      path, aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
+  if (!scene || !scene->mRootNode)
+    throw WorldError(path + ": cannot be read as a mesh: " + importer.GetErrorString());
   std::vector<NamedMesh> meshes;
   Collect(*scene, *scene->mRootNode, aiMatrix4x4(), {}, ComesYUp(path), meshes);
   if (meshes.empty()) throw WorldError(path + ": there is no triangle in it");

@@ -17,7 +17,8 @@ int FacetsAround(double radius_m) {
   return 2 * std::max(6, static_cast<int>(std::ceil(EIGEN_PI / half_angle / 2)));
 }
 
-/// Turns a profile, given from the top to the bottom and beginning and ending on the axis, into a closed mesh.
+/// Turns a profile, given from the top to the bottom and beginning and ending on the axis, into a closed
+/// mesh.
 TriMesh Turn(const std::vector<ProfilePoint>& profile, int facets) {
   TriMesh mesh;
   const int rings = static_cast<int>(profile.size()) - 2;
@@ -25,8 +26,9 @@ TriMesh Turn(const std::vector<ProfilePoint>& profile, int facets) {
   for (int ring = 1; ring <= rings; ++ring)
     for (int i = 0; i < facets; ++i) {
       const double angle = 2 * EIGEN_PI * i / facets;
-      mesh.vertices_W.push_back(Eigen::Vector3d(profile[ring].radius * std::cos(angle), profile[ring].radius * std::sin(angle),
-                                                profile[ring].z).cast<float>());
+      mesh.vertices_W.push_back(Eigen::Vector3d(profile[ring].radius * std::cos(angle),
+                                                profile[ring].radius * std::sin(angle), profile[ring].z)
+                                    .cast<float>());
     }
   mesh.vertices_W.emplace_back(0.0f, 0.0f, static_cast<float>(profile.back().z));
   const int bottom = static_cast<int>(mesh.vertices_W.size()) - 1;
@@ -50,7 +52,8 @@ std::vector<ProfilePoint> HalfCircle(double radius_m, int facets, double straigh
     const double radius = i == 0 || i == facets ? 0 : radius_m * std::sin(polar);
     const double z = radius_m * std::cos(polar);
     if (2 * i <= facets) profile.push_back({radius, z + straight_m / 2});
-    if (2 * i >= facets && (straight_m > 0 || 2 * i != facets)) profile.push_back({radius, z - straight_m / 2});
+    if (2 * i >= facets && (straight_m > 0 || 2 * i != facets))
+      profile.push_back({radius, z - straight_m / 2});
   }
   return profile;
 }
@@ -60,8 +63,10 @@ std::vector<ProfilePoint> HalfCircle(double radius_m, int facets, double straigh
 TriMesh BoxMesh(const Eigen::Vector3d& size_m) {
   TriMesh mesh;
   for (int i = 0; i < 8; ++i)
-    mesh.vertices_W.push_back(Eigen::Vector3d((i & 1 ? 0.5 : -0.5) * size_m.x(), (i & 2 ? 0.5 : -0.5) * size_m.y(),
-                                              (i & 4 ? 0.5 : -0.5) * size_m.z()).cast<float>());
+    mesh.vertices_W.push_back(Eigen::Vector3d((i & 1 ? 0.5 : -0.5) * size_m.x(),
+                                              (i & 2 ? 0.5 : -0.5) * size_m.y(),
+                                              (i & 4 ? 0.5 : -0.5) * size_m.z())
+                                  .cast<float>());
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return mesh;
@@ -87,7 +92,8 @@ TriMesh EllipsoidMesh(const Eigen::Vector3d& radii_m) {
 TriMesh SheetMesh(const Eigen::Vector2d& min_m, const Eigen::Vector2d& max_m) {
   TriMesh mesh;
   for (int i = 0; i < 4; ++i)
-    mesh.vertices_W.push_back(Eigen::Vector3d(i & 1 ? max_m.x() : min_m.x(), i & 2 ? max_m.y() : min_m.y(), 0).cast<float>());
+    mesh.vertices_W.push_back(
+        Eigen::Vector3d(i & 1 ? max_m.x() : min_m.x(), i & 2 ? max_m.y() : min_m.y(), 0).cast<float>());
   mesh.triangles = {{0, 1, 3}, {0, 3, 2}};
   return mesh;
 }

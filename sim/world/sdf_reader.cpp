@@ -14,12 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSheetMargin_m = 10;  ///< what a plane without a size of its own reaches beyond everything else
+constexpr double kSheetMargin_m =
+    10;  ///< what a plane without a size of its own reaches beyond everything else
 
 Eigen::Affine3d ToAffine(const ignition::math::Pose3d& pose) {
   const auto& p = pose.Pos();
   const auto& q = pose.Rot();
-  return Eigen::Translation3d(p.X(), p.Y(), p.Z()) * Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized();
+  return Eigen::Translation3d(p.X(), p.Y(), p.Z()) *
+         Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized();
 }
 
 Eigen::Vector3d ToEigen(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
@@ -71,11 +73,13 @@ class Reader {
   Eigen::Affine3d PoseOf(const Posed& posed, const std::string& name) const {
     ignition::math::Pose3d pose;
     const sdf::Errors errors = posed.SemanticPose().Resolve(pose);
-    if (!errors.empty()) throw WorldError(path_ + ": " + name + ": its pose cannot be resolved: " + errors.front().Message());
+    if (!errors.empty())
+      throw WorldError(path_ + ": " + name + ": its pose cannot be resolved: " + errors.front().Message());
     return ToAffine(pose);
   }
 
-  void ReadModel(const sdf::Model& model, const Eigen::Affine3d& X_WP, const std::string& prefix, bool ground) {
+  void ReadModel(const sdf::Model& model, const Eigen::Affine3d& X_WP, const std::string& prefix,
+                 bool ground) {
     const std::string name = prefix + model.Name();
     const Eigen::Affine3d X_WM = X_WP * PoseOf(model, name);
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) ReadLink(*model.LinkByIndex(i), X_WM, name, ground);
@@ -102,31 +106,42 @@ class Reader {
   void ReadGeometry(const sdf::Geometry& geometry, const Eigen::Affine3d& X_WS, const Part& part) {
     const auto add = [&](const TriMesh& mesh) { AddPart(mesh, X_WS, part, world_); };
     switch (geometry.Type()) {
-      case sdf::GeometryType::BOX: return add(BoxMesh(ToEigen(geometry.BoxShape()->Size())));
-      case sdf::GeometryType::SPHERE: return add(EllipsoidMesh(Eigen::Vector3d::Constant(geometry.SphereShape()->Radius())));
-      case sdf::GeometryType::ELLIPSOID: return add(EllipsoidMesh(ToEigen(geometry.EllipsoidShape()->Radii())));
+      case sdf::GeometryType::BOX:
+        return add(BoxMesh(ToEigen(geometry.BoxShape()->Size())));
+      case sdf::GeometryType::SPHERE:
+        return add(EllipsoidMesh(Eigen::Vector3d::Constant(geometry.SphereShape()->Radius())));
+      case sdf::GeometryType::ELLIPSOID:
+        return add(EllipsoidMesh(ToEigen(geometry.EllipsoidShape()->Radii())));
       case sdf::GeometryType::CYLINDER:
         return add(CylinderMesh(geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length()));
       case sdf::GeometryType::CAPSULE:
         return add(CapsuleMesh(geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length()));
-      case sdf::GeometryType::PLANE: return KeepPlane(*geometry.PlaneShape(), X_WS, part);
-      case sdf::GeometryType::MESH: return ReadMesh(*geometry.MeshShape(), X_WS, part);
-      case sdf::GeometryType::EMPTY: return;
+      case sdf::GeometryType::PLANE:
+        return KeepPlane(*geometry.PlaneShape(), X_WS, part);
+      case sdf::GeometryType::MESH:
+        return ReadMesh(*geometry.MeshShape(), X_WS, part);
+      case sdf::GeometryType::EMPTY:
+        return;
       default:
-        throw WorldError(path_ + ": " + part.name + ": only box, sphere, cylinder, capsule, ellipsoid, plane and mesh are read");
+        throw WorldError(path_ + ": " + part.name +
+                         ": only box, sphere, cylinder, capsule, ellipsoid, plane and mesh are read");
     }
   }
 
   void ReadMesh(const sdf::Mesh& mesh, const Eigen::Affine3d& X_WS, const Part& part) {
     const std::optional<std::string> file = Find(mesh.Uri(), mesh.FilePath());
-    if (!file) throw WorldError(path_ + ": " + part.name + ": its mesh " + mesh.Uri() + " is not found in" + Searched());
+    if (!file)
+      throw WorldError(path_ + ": " + part.name + ": its mesh " + mesh.Uri() + " is not found in" +
+                       Searched());
     std::vector<NamedMesh> pieces = ReadMeshFile(*file);
     Eigen::Affine3d X_WM = X_WS * Eigen::Scaling(ToEigen(mesh.Scale()));
     if (!mesh.Submesh().empty()) {
       std::erase_if(pieces, [&](const NamedMesh& piece) {
-        return piece.name != mesh.Submesh() && std::ranges::find(piece.nodes, mesh.Submesh()) == piece.nodes.end();
+        return piece.name != mesh.Submesh() &&
+               std::ranges::find(piece.nodes, mesh.Submesh()) == piece.nodes.end();
       });
-      if (pieces.empty()) throw WorldError(path_ + ": " + part.name + ": " + *file + " has no submesh " + mesh.Submesh());
+      if (pieces.empty())
+        throw WorldError(path_ + ": " + part.name + ": " + *file + " has no submesh " + mesh.Submesh());
       if (mesh.CenterSubmesh()) X_WM = X_WM * Eigen::Translation3d(-Centre(pieces));
     }
     for (const NamedMesh& piece : pieces) {
@@ -146,8 +161,11 @@ class Reader {
   void KeepPlane(const sdf::Plane& plane, const Eigen::Affine3d& X_WS, const Part& part) {
     PlaneShape kept{part, X_WS, {}};
     kept.part.half_space = true;
-    kept.X_WS.rotate(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ToEigen(plane.Normal()).normalized()));
-    if (plane.Element() && plane.Element()->HasElement("size")) kept.size_m = Eigen::Vector2d(plane.Size().X(), plane.Size().Y());
+    kept.X_WS.rotate(
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ToEigen(plane.Normal()).normalized()));
+    const bool sized = plane.Element() && plane.Element()->HasElement("size") &&
+                       plane.Element()->GetElement("size")->GetExplicitlySetInFile();
+    if (sized) kept.size_m = Eigen::Vector2d(plane.Size().X(), plane.Size().Y());
     planes_.push_back(kept);
   }
 
@@ -159,9 +177,11 @@ class Reader {
       Eigen::AlignedBox2d sheet(-half, half);
       Eigen::AlignedBox2d around;
       const Eigen::Affine3d X_SW = plane.X_WS.inverse();
-      for (const Eigen::Vector3f& v_W : others.vertices_W) around.extend((X_SW * v_W.cast<double>()).head<2>().eval());
+      for (const Eigen::Vector3f& v_W : others.vertices_W)
+        around.extend((X_SW * v_W.cast<double>()).head<2>().eval());
       if (!around.isEmpty())
-        sheet = sheet.intersection({around.min().array() - kSheetMargin_m, around.max().array() + kSheetMargin_m});
+        sheet = sheet.intersection(
+            {around.min().array() - kSheetMargin_m, around.max().array() + kSheetMargin_m});
       else if (!plane.size_m)
         sheet = {Eigen::Vector2d::Constant(-kSheetMargin_m), Eigen::Vector2d::Constant(kSheetMargin_m)};
       if (!sheet.isEmpty()) AddPart(SheetMesh(sheet.min(), sheet.max()), plane.X_WS, plane.part, world_);
@@ -199,6 +219,8 @@ class Reader {
 
 }  // namespace
 
-World ReadSdf(const std::string& path, const std::vector<std::string>& search) { return Reader(path, search).Read(); }
+World ReadSdf(const std::string& path, const std::vector<std::string>& search) {
+  return Reader(path, search).Read();
+}
 
 }  // namespace citrine::sim

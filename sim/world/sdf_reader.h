@@ -7,7 +7,8 @@
 
 namespace citrine::sim {
 
-/// Reads the shapes of every model of an SDFormat file: its collisions, and the visuals of a link that has none.
+/// Reads the shapes of every model of an SDFormat file: its collisions, and the visuals of a link that has
+/// none.
 /// @param search  folders in which model://NAME is looked for, in order
 /// @return parts and mesh; bounds and hash are left to Finish()
 /// @throws WorldError

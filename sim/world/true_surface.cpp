@@ -11,7 +11,8 @@ constexpr double kProbe_m = 0.02;  ///< solid is looked for this far off the sur
 
 using Polygon = std::vector<Eigen::Vector3d>;
 
-/// Cuts a convex polygon along one face of a box (Sutherland & Hodgman 1974). @param side +1 keeps what is below `limit`
+/// Cuts a convex polygon along one face of a box (Sutherland & Hodgman 1974). @param side +1 keeps what is
+/// below `limit`
 Polygon Clip(const Polygon& polygon, int axis, double limit, double side) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -32,7 +33,8 @@ Polygon Clip(Polygon polygon, const Eigen::AlignedBox3d& box) {
 }
 
 /// Uniform in a triangle (Osada et al. 2002).
-Eigen::Vector3d PointIn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Random& random) {
+Eigen::Vector3d PointIn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                        Random& random) {
   const double r = std::sqrt(random.Uniform()), s = random.Uniform();
   return (1 - r) * a + r * (1 - s) * b + r * s * c;
 }
@@ -51,7 +53,8 @@ TrueSurface SampleTrueSurface(const World& world, const RayScene& scene, const E
   for (const Part& part : world.parts)
     for (int t = part.first_triangle; t < part.first_triangle + part.num_triangles; ++t) {
       Polygon polygon;
-      for (const int corner : world.mesh.triangles[t]) polygon.push_back(world.mesh.vertices_W[corner].cast<double>());
+      for (const int corner : world.mesh.triangles[t])
+        polygon.push_back(world.mesh.vertices_W[corner].cast<double>());
       const Eigen::Vector3d normal = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]).normalized();
       polygon = Clip(std::move(polygon), box);
       for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -61,7 +64,8 @@ TrueSurface SampleTrueSurface(const World& world, const RayScene& scene, const E
           const bool solid_outside = scene.Solid(p_W + kProbe_m * normal);
           if (solid_outside && scene.Solid(p_W - kProbe_m * normal)) continue;
           const Eigen::Vector3d n_W = solid_outside ? Eigen::Vector3d(-normal) : normal;
-          surface.samples.push_back({p_W.cast<float>(), n_W.cast<float>(), static_cast<float>(piece_m2), part.ground});
+          surface.samples.push_back(
+              {p_W.cast<float>(), n_W.cast<float>(), static_cast<float>(piece_m2), part.ground});
         }
       }
     }

@@ -14,13 +14,13 @@ namespace citrine::sim {
 /// A point of the true surface that stands for a small piece of it.
 struct SurfaceSample {
   Eigen::Vector3f p_W;
-  Eigen::Vector3f n_W;       ///< unit, into free space
-  float area_m2 = 0;         ///< of the piece
+  Eigen::Vector3f n_W;  ///< unit, into free space
+  float area_m2 = 0;    ///< of the piece
   bool ground = false;
 };
 
-/// What there is to reconstruct (design, section 5): the world's surface clipped to the mission volume, without faces
-/// that have solid 2 cm off on both sides.
+/// What there is to reconstruct (design, section 5): the world's surface clipped to the mission volume,
+/// without faces that have solid 2 cm off on both sides.
 struct TrueSurface {
   std::vector<SurfaceSample> samples;  ///< uniform over the area, in order of the world's triangles
   double area_m2 = 0;                  ///< of all samples

@@ -15,12 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kGroundBand_m = 0.05;       ///< the ground of a bare mesh lies this close to its lowest point
-constexpr double kGroundNormalZ = 0.966;     ///< and is level to within 15 degrees
+constexpr double kGroundBand_m = 0.05;    ///< the ground of a bare mesh lies this close to its lowest point
+constexpr double kGroundNormalZ = 0.966;  ///< and is level to within 15 degrees
 constexpr double kVolumeMargin_m = 3;
 
 bool IsGround(const TriMesh& mesh, const std::array<int, 3>& triangle, float lowest_m) {
-  const Eigen::Vector3f &a = mesh.vertices_W[triangle[0]], &b = mesh.vertices_W[triangle[1]], &c = mesh.vertices_W[triangle[2]];
+  const Eigen::Vector3f &a = mesh.vertices_W[triangle[0]], &b = mesh.vertices_W[triangle[1]],
+                        &c = mesh.vertices_W[triangle[2]];
   const Eigen::Vector3f normal = (b - a).cross(c - a);
   return std::max({a.z(), b.z(), c.z()}) <= lowest_m + kGroundBand_m &&
          std::abs(normal.z()) >= kGroundNormalZ * normal.norm();
@@ -41,8 +42,10 @@ World ReadBareMesh(const std::string& path) {
     std::erase_if(ground.triangles, [&](const auto& triangle) { return !is_ground(triangle); });
     std::erase_if(rest.triangles, is_ground);
     const std::string name = piece.name.empty() ? world.name : piece.name;
-    if (!ground.triangles.empty()) AddPart(ground, Eigen::Affine3d::Identity(), {name + "/ground", 0, 0, true, false}, world);
-    if (!rest.triangles.empty()) AddPart(rest, Eigen::Affine3d::Identity(), {name, 0, 0, false, false}, world);
+    if (!ground.triangles.empty())
+      AddPart(ground, Eigen::Affine3d::Identity(), {name + "/ground", 0, 0, true, false}, world);
+    if (!rest.triangles.empty())
+      AddPart(rest, Eigen::Affine3d::Identity(), {name, 0, 0, false, false}, world);
   }
   return world;
 }
@@ -57,7 +60,8 @@ World LoadWorld(const std::string& path, const std::vector<std::string>& search)
   World world;
   if (extension == ".sdf" || extension == ".world") {
     const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
-    std::vector<std::string> folders{folder.string(), (folder / "models").string(), folder.parent_path().string()};
+    std::vector<std::string> folders{folder.string(), (folder / "models").string(),
+                                     folder.parent_path().string()};
     folders.insert(folders.end(), search.begin(), search.end());
     world = ReadSdf(path, folders);
   } else {

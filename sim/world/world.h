@@ -19,20 +19,21 @@ struct WorldError : std::runtime_error {
 
 /// A run of triangles that came from one collision or visual of a file.
 struct Part {
-  std::string name;           ///< model/link/shape
+  std::string name;  ///< model/link/shape
   int first_triangle = 0;
   int num_triangles = 0;
-  bool ground = false;        ///< of a model named "ground..." in any case; of a bare mesh: its lowest level surface
-  bool half_space = false;    ///< a plane: everything below it counts as solid
+  bool ground =
+      false;  ///< of a model named "ground..." in any case; of a bare mesh: its lowest level surface
+  bool half_space = false;  ///< a plane: everything below it counts as solid
 };
 
 /// The true world: one triangle mesh, fixed for the whole mission.
 struct World {
   std::string name;
   TriMesh mesh;
-  std::vector<Part> parts;            ///< in order of their triangles, which they cover without gaps
-  Eigen::AlignedBox3d bounds_W;       ///< [m]
-  std::uint64_t hash = 0;             ///< XXH64 over vertices and triangles
+  std::vector<Part> parts;       ///< in order of their triangles, which they cover without gaps
+  Eigen::AlignedBox3d bounds_W;  ///< [m]
+  std::uint64_t hash = 0;        ///< XXH64 over vertices and triangles
 
   /// The part that a triangle belongs to.
   const Part& PartOf(int triangle) const;
@@ -40,8 +41,8 @@ struct World {
   double SurfaceArea() const;
 };
 
-/// Reads a world: SDFormat (.sdf, .world; shapes, meshes, nested models, includes) or a bare mesh file (.obj .ply .stl
-/// .dae ...), which is taken to be in metres, z up, unless the file itself says otherwise.
+/// Reads a world: SDFormat (.sdf, .world; shapes, meshes, nested models, includes) or a bare mesh file (.obj
+/// .ply .stl .dae ...), which is taken to be in metres, z up, unless the file itself says otherwise.
 /// @param search  further folders in which model://NAME is looked for, after the file's own and its models/
 /// @throws WorldError
 World LoadWorld(const std::string& path, const std::vector<std::string>& search = {});
