@@ -3,6 +3,7 @@
 #include <charconv>
 #include <exception>
 
+#include "modules/channels.h"
 #include "modules/codec/fleet_status.h"
 #include "modules/codec/mission_progress.h"
 #include "modules/codec/uav_state.h"
@@ -34,10 +35,10 @@ void HearState(const UavState& state, MissionView::Uav& uav) {
 
 void MissionView::Hear(const std::string& channel, const void* bytes, int size) try {
   const std::size_t uav = UavOf(channel);
-  if (channel == "CLOCK") {
+  if (channel == channels::kClock.name) {
     const Clock heard = DecodeAs<citrine_lcm::clock_t>(bytes, size);
     if (heard.mission_id == mission_id) clock = heard;
-  } else if (channel == "MISSION_PROGRESS") {
+  } else if (channel == channels::kMissionProgress.name) {
     progress = DecodeAs<citrine_lcm::mission_progress_t>(bytes, size);
   } else if (uav >= 1 && uav <= uavs.size() && channel.ends_with("_FLEET_STATUS")) {
     uavs[uav - 1].has_goal = DecodeAs<citrine_lcm::fleet_status_t>(bytes, size).has_goal;

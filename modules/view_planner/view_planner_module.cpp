@@ -20,8 +20,8 @@ constexpr int kStateQueue = 64, kFewQueue = 16;
 
 /// What makes a status worth saying at once.
 auto Essence(const FleetStatus& s) {
-  return std::tie(s.activity, s.deciding_since, s.has_goal, s.goal_W.x(), s.goal_W.y(), s.goal_W.z(), s.decisions,
-                  s.replanning, s.plan_id, s.corrected_selections_left, s.no_view_left);
+  return std::tie(s.activity, s.deciding_since, s.has_goal, s.goal_W.x(), s.goal_W.y(), s.goal_W.z(),
+                  s.decisions, s.replanning, s.plan_id, s.corrected_selections_left, s.no_view_left);
 }
 
 /// Hands every message of an inbox to `hear`; one that means nothing is counted and dropped.
@@ -47,8 +47,12 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
       topological_grid_(map_hearer_->map()),
       planner_(
           context.config, uav_, map_hearer_->map(),
-          [this](const auto& start_W, const auto& goal_W, const auto& avoid) { return FindPath(start_W, goal_W, avoid); },
-          [this](const auto& from_W, const auto& to_W) { return topological_grid_.LengthsFrom(from_W, to_W); }),
+          [this](const auto& start_W, const auto& goal_W, const auto& avoid) {
+            return FindPath(start_W, goal_W, avoid);
+          },
+          [this](const auto& from_W, const auto& to_W) {
+            return topological_grid_.LengthsFrom(from_W, to_W);
+          }),
       states_(bus_.HearAll(channels::kUavState, kStateQueue)),
       statuses_(bus_.HearAll(channels::kFleetStatus, kStateQueue)),
       assignments_(bus_.Hear(channels::kFleetAssignment, kFewQueue)),
@@ -65,13 +69,15 @@ std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, 
 }
 
 void ViewPlannerModule::HearAll(Utime now) {
-  TakeAll(bus_, *states_, "UAV_STATE", [&](int uav, const UavState& state) { planner_.HearState(uav, state, now); });
-  TakeAll(bus_, *statuses_, "UAV_FLEET_STATUS",
+  TakeAll(bus_, *states_, channels::kUavState.noun,
+          [&](int uav, const UavState& state) { planner_.HearState(uav, state, now); });
+  TakeAll(bus_, *statuses_, channels::kFleetStatus.noun,
           [&](int uav, const FleetStatus& status) { planner_.HearStatus(uav, status, now); });
-  TakeAll(bus_, *assignments_, "FLEET_ASSIGNMENT",
+  TakeAll(bus_, *assignments_, channels::kFleetAssignment.name,
           [&](int, const FleetAssignment& assignment) { planner_.HearAssignment(assignment, now); });
-  TakeAll(bus_, *flights_, "UAV_FLIGHT_STATUS", [&](int, const FlightStatus& flight) { planner_.HearFlight(flight); });
-  TakeAll(bus_, *trajectories_, "UAV_TRAJECTORY",
+  TakeAll(bus_, *flights_, channels::kFlightStatus.noun,
+          [&](int, const FlightStatus& flight) { planner_.HearFlight(flight); });
+  TakeAll(bus_, *trajectories_, channels::kTrajectory.noun,
           [&](int, const Trajectory& trajectory) { planner_.HearTrajectory(trajectory); });
 }
 
