@@ -11,7 +11,7 @@
 namespace citrine {
 namespace {
 
-constexpr int kAnnounce_ms = 200;
+constexpr int kWait_ms = 200;              // for a message, before it looks for signals again
 constexpr double kLostAfter_ms = 200;      // what was named in STEP_DONE and has not come by then will not
 constexpr double kOwnerAnswers_ms = 2000;  // an interrupted owner of time has said the last CLOCK by then
 
@@ -78,8 +78,8 @@ void FollowClock(HostedModule& module) {
     return Terminated() || (since_interrupt && since_interrupt->ms() > kOwnerAnswers_ms);
   };
   while (!(step && step->last) && !abandoned()) {
-    if (!step) module.SayHealth(ModuleHealth::State::kStarting);
-    module.bus().Handle(kAnnounce_ms);
+    if (!step) module.SayHealthWhenDue(ModuleHealth::State::kStarting);
+    module.bus().Handle(kWait_ms);
     while (const auto clock = clocks.Take(lockstep)) {
       if (step && clock->step <= step->index) {
         if (lockstep && clock->step == step->index) module.RepeatStepDone();
@@ -90,8 +90,9 @@ void FollowClock(HostedModule& module) {
       TickOnce(module, barrier, *step);
       if (step->last || Terminated()) break;
     }
-    module.SayHealthWhenDue();
+    if (step) module.SayHealthWhenDue();
   }
+  if (step && step->last && lockstep) module.RepeatStepDone();  // nobody will be here to answer if it was lost
   if (!step || step->last) return;
   step->last = true;
   module.Begin(*step, lockstep);

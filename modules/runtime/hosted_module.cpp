@@ -11,6 +11,7 @@ namespace citrine {
 namespace {
 
 constexpr double kHealthPeriod_ms = 1000;
+constexpr double kAnnouncePeriod_ms = 200;
 constexpr std::size_t kMaxSamplesAMessage = 8000;  // 4 bytes each: well under what a message may hold
 
 std::int64_t PeakMemory_kB() {
@@ -94,8 +95,9 @@ void HostedModule::SayHealth(ModuleHealth::State state) {
   since_health_ = {};
 }
 
-void HostedModule::SayHealthWhenDue() {
-  if (since_health_.ms() >= kHealthPeriod_ms) SayHealth(ModuleHealth::State::kRunning);
+void HostedModule::SayHealthWhenDue(ModuleHealth::State state) {
+  const bool starting = state == ModuleHealth::State::kStarting;
+  if (since_health_.ms() >= (starting ? kAnnouncePeriod_ms : kHealthPeriod_ms)) SayHealth(state);
 }
 
 }  // namespace citrine

@@ -38,8 +38,8 @@ class HostedModule {
 
   /// Says MODULE_HEALTH, in as many messages as the samples need.
   void SayHealth(ModuleHealth::State state);
-  /// As above if a second of the wall has passed since the last time.
-  void SayHealthWhenDue();
+  /// As above if a second of the wall has passed since the last time; while it starts, five times a second.
+  void SayHealthWhenDue(ModuleHealth::State state = ModuleHealth::State::kRunning);
 
  private:
   const ModuleKind kind_;

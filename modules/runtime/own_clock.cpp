@@ -48,7 +48,7 @@ class RollCall {
 void AwaitAll(HostedModule& module, const RollCall& roll, const std::vector<ModuleId>& expected) {
   const Stopwatch since;
   for (bool named = false; !Interrupted();) {
-    module.SayHealth(ModuleHealth::State::kStarting);
+    module.SayHealthWhenDue(ModuleHealth::State::kStarting);
     module.bus().Handle(100);
     const auto absent = roll.Absent(expected);
     if (absent.empty()) return;
