@@ -10,6 +10,16 @@ namespace citrine::planner {
 namespace {
 constexpr double kBucket_m = 3.0;
 constexpr float kSlack_m = 1e-3f;  ///< by which float bounds are widened; far above their rounding
+int OccupiedFaces(const PlanningMap& map, const VoxelIndex& v) {
+  int bits = 0;
+  for (int direction = 0; direction < 6; ++direction) {
+    VoxelIndex n = v;
+    n[direction / 2] += direction % 2 ? 1 : -1;
+    if (map.grid().Contains(n) && map.state(map.grid().Linear(n)) == VoxelState::kOccupied) bits |= 1 << direction;
+  }
+  return bits;
+}
+
 }  // namespace
 
 double DistanceWorth(double distance_m, double d_star_m, double eta_m, double range_max_m) {
@@ -20,7 +30,7 @@ double DistanceWorth(double distance_m, double d_star_m, double eta_m, double ra
 
 InformationGain::InformationGain(const PlanningMap& map, const std::vector<Element>& elements,
                                  const SensorWindow& window, double eta_m)
-    : map_(map), window_(window), eta_m_(eta_m) {
+    : map_(map), window_(window), eta_m_(eta_m), clear_(map) {
   const VoxelGrid& grid = map.grid();
   std::vector<std::pair<int, int>> order;  // bucket, element
   const Eigen::Vector3i cells = (grid.voxels().cast<double>() * grid.voxel_m() / kBucket_m).array().ceil().cast<int>();
@@ -47,6 +57,10 @@ InformationGain::InformationGain(const PlanningMap& map, const std::vector<Eleme
     x_.push_back(p.x());
     y_.push_back(p.y());
     z_.push_back(p.z());
+    normal_x_.push_back(static_cast<float>(e.normal_W.x()));
+    normal_y_.push_back(static_cast<float>(e.normal_W.y()));
+    normal_z_.push_back(static_cast<float>(e.normal_W.z()));
+    backed_.push_back(OccupiedFaces(map, e.voxel));
     const auto near_m = static_cast<float>(std::max(0.0, e.d_star_m - eta_m)) - kSlack_m;
     const auto far_m = static_cast<float>(e.d_star_m + eta_m) + kSlack_m;
     near2_.push_back(near_m > 0 ? near_m * near_m : 0);
@@ -66,14 +80,14 @@ void InformationGain::ForEachNear(const Eigen::Vector3d& view_W, Visit&& visit) 
 }
 
 Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W) const {
-  Gain most;
+  GainBound most;
   most.visible = static_cast<int>(elements_.size());
   return Evaluate(view_W, most, 0);
 }
 
-Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W, const Gain& bound, int visible_min) const {
+Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min) const {
   Gain gain;
-  int can_be = bound.visible;
+  int can_be = bound.visible + bound.hidden;
   bool hopeless = false;
   ForEachNear(view_W, [&](const Bucket& bucket) {
     for (int i = bucket.begin; i < bucket.end && !hopeless; ++i) {
@@ -82,7 +96,7 @@ Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W, const Gain& bound,
       if (!window_.InFieldOfView(to)) continue;
       const double distance_m = to.norm();
       if (!window_.InRange(distance_m)) continue;
-      const Sight sight = LookAt(map_, e, view_W);
+      const Sight sight = LookAt(map_, e, view_W, &clear_);
       if (sight.clear) {
         ++gain.visible;
         gain.sum += DistanceWorth(distance_m, e.d_star_m, eta_m_, window_.range_max_m()) *
@@ -96,26 +110,37 @@ Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W, const Gain& bound,
   return gain;
 }
 
-Gain InformationGain::Bound(const Eigen::Vector3d& view_W) const {
+GainBound InformationGain::Bound(const Eigen::Vector3d& view_W) const {
   const Eigen::Vector3f v = view_W.cast<float>();
   const float reach = static_cast<float>(window_.range_max_m()) + kSlack_m;
   const float least = std::max(0.0f, static_cast<float>(window_.range_min_m()) - kSlack_m);
   const float reach2 = reach * reach, least2 = least * least;
   const auto tan_min = static_cast<float>(window_.tan_min()), tan_max = static_cast<float>(window_.tan_max());
-  int visible = 0, near = 0, far = 0;
+  const auto voxel = static_cast<float>(map_.grid().voxel_m());
+  int visible = 0, near = 0, far = 0, covered = 0;
   ForEachNear(view_W, [&](const Bucket& bucket) {
     for (int i = bucket.begin; i < bucket.end; ++i) {
       const float dx = x_[i] - v.x(), dy = y_[i] - v.y(), dz = z_[i] - v.z();
       const float rho2 = dx * dx + dy * dy, d2 = rho2 + dz * dz;
       const float rho = std::sqrt(rho2);
-      const int in = (d2 <= reach2) & (d2 >= least2) & (dz >= tan_min * rho - kSlack_m) &
-                     (dz <= tan_max * rho + kSlack_m);
+      // The walk from the element begins along the longest axis; within the slack of a tie nothing is certain.
+      const float ax = std::abs(dx), ay = std::abs(dy), az = std::abs(dz);
+      const int along_x = (ax > ay + kSlack_m) & (ax > az + kSlack_m);
+      const int along_y = (ay > ax + kSlack_m) & (ay > az + kSlack_m);
+      const int along_z = (az > ax + kSlack_m) & (az > ay + kSlack_m);
+      const int first = (along_x << (dx < 0)) | (along_y << (2 + (dy < 0))) | (along_z << (4 + (dz < 0)));
+      const int turned = normal_x_[i] * dx + normal_y_[i] * dy + normal_z_[i] * dz > kSlack_m;
+      const int hidden = turned & ((backed_[i] & first) != 0) & (d2 > 4 * voxel * voxel);
+      const int in_window = (d2 <= reach2) & (d2 >= least2) & (dz >= tan_min * rho - kSlack_m) &
+                            (dz <= tan_max * rho + kSlack_m);
+      const int in = in_window & (hidden ^ 1);
+      covered += in_window & hidden;
       visible += in;
       near += in & (d2 < near2_[i]);
       far += in & (d2 > far2_[i]);
     }
   });
-  return {(visible - near - far) + 0.5 * near + far_worth_ * far + 1e-6, visible};
+  return {(visible - near - far) + 0.5 * near + far_worth_ * far + 1e-6, visible, covered};
 }
 
 }  // namespace citrine::planner

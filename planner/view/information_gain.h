@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/map/planning_map.h"
+#include "planner/view/clear_cells.h"
 #include "planner/view/elements.h"
 #include "planner/view/sensor_window.h"
 
@@ -20,6 +21,13 @@ struct Gain {
   int visible = 0;  ///< |ASE_v|: elements in range and field of view that nothing occupied hides
 };
 
+/// The most that a view's gain can be.
+struct GainBound {
+  double sum = 0;
+  int visible = 0;
+  int hidden = 0;  ///< elements in range and field of view that are hidden for certain
+};
+
 /// Evaluates eq. (8) for views, and bounds it from above without looking for what hides elements.
 class InformationGain {
  public:
@@ -30,10 +38,11 @@ class InformationGain {
 
   /// As Evaluate, but gives up, with visible = -1, once it is certain that fewer than `visible_min` are visible.
   /// @param bound what Bound() said of the view
-  Gain Evaluate(const Eigen::Vector3d& view_W, const Gain& bound, int visible_min) const;
+  Gain Evaluate(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min) const;
 
-  /// At least what Evaluate gives, in both numbers.
-  Gain Bound(const Eigen::Vector3d& view_W) const;
+  /// At least what Evaluate gives, in both numbers. Leaves out elements that turn their back to the view and whose
+  /// neighbour on the first step towards it is occupied: those are hidden for certain.
+  GainBound Bound(const Eigen::Vector3d& view_W) const;
 
  private:
   struct Bucket {
@@ -48,9 +57,12 @@ class InformationGain {
   double eta_m_;
   std::vector<Element> elements_;  ///< by bucket, then by voxel
   std::vector<float> x_, y_, z_;
+  std::vector<float> normal_x_, normal_y_, normal_z_;
+  std::vector<int> backed_;          ///< bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is occupied
   std::vector<float> near2_, far2_;  ///< squared ends of the interval of viewing distances [m^2]
   double far_worth_ = 0;             ///< the most that h is beyond it
   std::vector<Bucket> buckets_;
+  ClearCells clear_;
 };
 
 }  // namespace citrine::planner

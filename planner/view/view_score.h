@@ -51,7 +51,8 @@ class BestView {
   const InformationGain& gain_;
   std::vector<ViewTerms> views_;
   ScoreWeights weights_;
-  std::vector<Gain> bound_, exact_;
+  std::vector<GainBound> bound_;
+  std::vector<Gain> exact_;
   std::vector<bool> known_, discarded_;
   int most_visible_ = 0, evaluated_ = 0;
 };

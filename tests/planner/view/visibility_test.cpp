@@ -18,6 +18,7 @@ TEST(LookAt, CountsTheVoxelsOfAnIndependentWalkStrictlyInBetween) {
   testing::RandomMap world(11);
   ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
   const std::vector<Element> elements = All(world.map, surface);
+  const ClearCells clear_cells(world.map);
   int clear = 0, hidden = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     const Element& e = elements[world.random().Below(static_cast<std::uint32_t>(elements.size()))];
@@ -34,6 +35,9 @@ TEST(LookAt, CountsTheVoxelsOfAnIndependentWalkStrictlyInBetween) {
       return !occupied;
     });
     const Sight sight = LookAt(world.map, e, view_W);
+    const Sight faster = LookAt(world.map, e, view_W, &clear_cells);
+    ASSERT_EQ(faster.clear, sight.clear);
+    ASSERT_EQ(faster.unknown, sight.unknown);
     ASSERT_EQ(sight.clear, !occupied);
     ASSERT_EQ(sight.unknown, unknown);
     EXPECT_DOUBLE_EQ(Visibility(sight), occupied ? 0 : std::exp(-unknown));
@@ -68,7 +72,8 @@ TEST(InformationGain, IsTheSumOverAllElementsAndItsBoundIsNeverBelowIt) {
       expected.visible += sight.clear;
       expected.sum += DistanceWorth(distance, 4.5, 0.5, 10) * Visibility(sight);
     }
-    const Gain found = gain.Evaluate(view_W), bound = gain.Bound(view_W);
+    const Gain found = gain.Evaluate(view_W);
+    const GainBound bound = gain.Bound(view_W);
     EXPECT_EQ(found.visible, expected.visible);
     EXPECT_NEAR(found.sum, expected.sum, 1e-9);
     EXPECT_GE(bound.visible, found.visible);
