@@ -83,7 +83,14 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const TrajectoryPoint& start, Utim
                                        goal_ ? kFlying : kIdle, memory_);
   for (const View& view : prospect.candidates.views)
     if (!Excluded(view, prospect.others, now)) prospect.views.push_back(view);
+  LeaveNearOnes(prospect.views, start.p_W);
   return prospect;
+}
+
+void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const {
+  const auto far = [&](const View& view) { return (view.p_W - p_W).norm() >= config_.planner.hop_min_m; };
+  const auto near = std::stable_partition(views.begin(), views.end(), far);
+  if (near != views.begin()) views.erase(near, views.end());
 }
 
 void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now) {
