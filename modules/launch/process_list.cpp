@@ -17,7 +17,7 @@ std::string Program(const std::string& name) {
 
 ProcessSpec RecorderProcess(const std::string& url, const std::string& log) {
   return {kRecorder,
-          {"lcm-logger", "--lcm-url=" + url, "-q", "-f", "-v", "-c", "LCM_SELF_TEST|BUS_PROBE", log}};
+          {Program(kRecorder), "--lcm-url", url, log}};
 }
 
 std::vector<ProcessSpec> ModuleProcesses(const MissionConfig& config, const std::string& mission_file,

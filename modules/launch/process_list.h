@@ -11,7 +11,7 @@ namespace citrine {
 inline constexpr const char* kTimeOwner = "uav_dynamics";
 inline constexpr const char* kRecorder = "recorder";
 
-/// lcm-logger, which writes all that is said to `log`; probes of the bus are left out.
+/// What writes all that is said to `log`; probes of the bus are left out.
 ProcessSpec RecorderProcess(const std::string& url, const std::string& log);
 
 /// THE LIST of what flies a mission as separate processes, the owner of time last: the others hear its first

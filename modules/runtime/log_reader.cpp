@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 
+#include "modules/channels.h"
 #include "modules/runtime/log_format.h"
 #include "modules/runtime/log_writer.h"
 
@@ -19,6 +21,20 @@ Integer Parse(const std::array<unsigned char, log_format::kHeaderBytes>& header,
 
 bool IsOfTheBus(const LogEvent& event) {
   return event.channel == "LCM_SELF_TEST" || event.channel == "BUS_PROBE";
+}
+
+bool HasManySenders(const std::string& channel) {
+  return channel == channels::kStepDone.name || channel == channels::kFleetAssignment.name ||
+         channel == channels::kModuleHealth.name;
+}
+
+std::int64_t CountMissing(const std::vector<LogEvent>& events) {
+  std::map<std::string, SeqTrack> tracks;
+  std::int64_t missing = 0;
+  for (const LogEvent& event : events)
+    if (!HasManySenders(event.channel))
+      missing += tracks[event.channel].Advance(event.utime(), event.seq()).lost;
+  return missing;
 }
 
 }  // namespace
@@ -81,8 +97,9 @@ std::vector<LogEvent> ReadInOrder(const std::string& path, RecordingFlaws* flaws
     if (!IsOfTheBus(*event)) events.push_back(std::move(*event));
   std::sort(events.begin(), events.end());
   const auto repeated = std::unique(events.begin(), events.end());
-  if (flaws) *flaws = {reader.damaged(), events.end() - repeated};
+  const std::int64_t num_repeated = events.end() - repeated;
   events.erase(repeated, events.end());
+  if (flaws) *flaws = {reader.damaged(), num_repeated, CountMissing(events)};
   return events;
 }
 

@@ -36,6 +36,7 @@ class LogReader {
 struct RecordingFlaws {
   std::int64_t damaged = 0;   ///< places that were skipped
   std::int64_t repeated = 0;  ///< messages that were recorded twice, as the lockstep repeats what may be lost
+  std::int64_t missing = 0;   ///< gaps in seq on channels with one sender: what the recorder did not hear
 };
 
 /// The whole recording in canonical order (LogEvent), without repetitions and without what the bus says of

@@ -32,8 +32,9 @@ TEST(Manners, EveryMainOfAModuleIsOneLine) {
   for (const SourceFile& file : FilesUnder("modules", {"main.cpp"})) {
     if (file.path.starts_with("modules/launch/") || file.path.starts_with("modules/mission_report/"))
       continue;
-    ++mains;
     EXPECT_LE(file.lines.size(), 5u) << file.path;
+    if (file.path.starts_with("modules/recorder/")) continue;  // one line, but it is no module
+    ++mains;
     EXPECT_TRUE(file.lines.back().starts_with("int main(int argc, char** argv) { return citrine::RunModule<"))
         << file.path;
   }

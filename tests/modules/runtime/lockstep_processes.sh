@@ -1,5 +1,5 @@
 #!/bin/bash
-# Flies the toy mission as ten processes on a bus of their own, records it with lcm-logger, and compares the log with that of one
+# Flies the toy mission as ten processes on a bus of their own, records it, and compares the log with that of one
 # process. Exit code 77: no private network namespace may be made here.
 set -u
 program=$1
@@ -11,7 +11,7 @@ ip link set lo up multicast on && ip route add 224.0.0.0/4 dev lo || exit 77
 folder=$(mktemp -d)
 trap 'kill $pids $logger 2>/dev/null; wait; rm -rf "$folder"' EXIT
 pids= logger=
-lcm-logger -q --lcm-url="udpm://239.255.76.67:7667?ttl=0&recv_buf_size=2097152" "$folder/log" >/dev/null & logger=$!
+"$program" record "$folder/log" & logger=$!
 fly() { "$program" "$@" -O launch.pace=0 & pids="$pids $!"; }
 sleep 1
 fly lidar_emulator

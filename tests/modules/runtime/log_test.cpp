@@ -99,8 +99,17 @@ TEST_F(LogTest, PutsARecordingInOrderWithoutRepetitionsAndProbes) {
   EXPECT_EQ(PutInOrder(Write("recording", recorded), folder_ + "/log", &flaws), 4);
   EXPECT_EQ(flaws.repeated, 1);
   EXPECT_EQ(flaws.damaged, 0);
+  EXPECT_EQ(flaws.missing, 0);
   const auto read = ReadInOrder(folder_ + "/log");
   EXPECT_EQ(read, events_);
+}
+
+TEST_F(LogTest, TellsWhatTheRecorderDidNotHear) {
+  auto recorded = events_;
+  recorded.push_back(Event("A", 40, 5));
+  RecordingFlaws flaws;
+  ReadInOrder(Write("recording", recorded), &flaws);
+  EXPECT_EQ(flaws.missing, 2);
 }
 
 TEST_F(LogTest, HasADigestOfChannelsAndPayloadsButNotOfTheHost) {
