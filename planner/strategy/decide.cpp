@@ -11,6 +11,7 @@ namespace {
 constexpr double kGroup_m = 0.75;         ///< elements this near to a view's own share it (a cell of 3 voxels)
 constexpr double kGoalsApart_m = 0.5;     ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
+constexpr double kStandOff_s = 3.0;       ///< until a view that an idle mate stands by is asked for again
 constexpr double kWarmUp_s = 3.0;         ///< before it the map is too young to say that nothing is left
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
@@ -187,6 +188,20 @@ void ViewPlanner::Commit(const Prospect& prospect, const View& view, Path path, 
   no_view_left_ = false;
 }
 
+void ViewPlanner::CountStandOffs(const Prospect& prospect, Utime now) {
+  for (const View& view : prospect.candidates.views) {
+    const bool waits = std::any_of(blocked_.begin(), blocked_.end(), [&](const Blocked& blocked) {
+      return (view.p_W - blocked.p_W).norm() < kBlockedNear_m;
+    });
+    const bool mate_idles = std::any_of(prospect.others.begin(), prospect.others.end(), [&](const FleetView::Other& other) {
+      return !other.has_goal && (view.p_W - other.p_W).norm() < 2 * config_.uav.limits.radius_m + kGoalsApart_m;
+    });
+    if (waits || !mate_idles) continue;
+    blocked_.push_back({view.p_W, now + FromSeconds(kStandOff_s)});
+    memory_.CountBlocked(map_, view.element);
+  }
+}
+
 void ViewPlanner::NoChoice(const Prospect& prospect, Utime now) {
   // A goal that is all but reached is flown to its end; one that has been reached, or is worthless, is over.
   const bool on_the_way = goal_ && goal_->looked_ahead && (state_->X_WB.p - goal_->view.p_W).norm() > 0.25;
@@ -195,6 +210,7 @@ void ViewPlanner::NoChoice(const Prospect& prospect, Utime now) {
     return;
   }
   goal_.reset();
+  CountStandOffs(prospect, now);
   const bool none = prospect.candidates.views.empty();
   retry_ = !none || prospect.candidates.untested > 0 || prospect.some_taken;
   const bool all_tested = none && !retry_ && looks_.empty() && now > first_map_ + FromSeconds(kWarmUp_s);

@@ -94,6 +94,8 @@ class ViewPlanner {
   bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, Utime now) const;
   std::optional<Choice> Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now, Path& path);
   void Commit(const Prospect& prospect, const View& view, Path path, Utime now);
+  /// Counts views that are left to an idle mate, who does not take them: after three times they are given up.
+  void CountStandOffs(const Prospect& prospect, Utime now);
   void NoChoice(const Prospect& prospect, Utime now);
   void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now);
   /// Takes views nearer than `planner.hop_min_m` out, unless there are no others.
