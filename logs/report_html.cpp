@@ -52,10 +52,9 @@ std::string Notes(const std::vector<std::string>& notes) {
   return html.empty() ? "" : "<ul class=\"soft\">" + html + "</ul>\n";
 }
 
-std::string Picture(const std::vector<std::uint8_t>& png) {
+std::string Picture(const std::string& title, const std::string& alt, const std::vector<std::uint8_t>& png) {
   if (png.empty()) return "";
-  return "<h2>From above</h2>\n<img alt=\"the map from above at the end\" src=\"data:image/png;base64," +
-         Base64(png) + "\"/>\n";
+  return "<h2>" + title + "</h2>\n<img alt=\"" + alt + "\" src=\"data:image/png;base64," + Base64(png) + "\"/>\n";
 }
 
 }  // namespace
@@ -70,7 +69,8 @@ std::string ReportHtml(const ReportPage& page) {
           std::to_string(m.uavs) + " UAVs</p>\n";
   html += VerdictLine(page) + PaperTable(page) + Notes(page.notes);
   html += Section("Numbers", "tables", NumberTables(page));
-  html += Picture(page.topdown_png);
+  html += Picture("From above", "the map from above at the end", page.topdown_png);
+  html += Picture("Mesh", "the reconstructed surface", page.mesh_png);
   html += Section("Flight", "figures", FlightPlots(page));
   html += Section("Map", "figures", ProgressPlots(page.record));
   html += Section("System", "figures", SystemPlots(page.record));

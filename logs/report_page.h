@@ -26,6 +26,7 @@ struct ReportPage {
   std::string config_toml;                ///< the resolved configuration
   std::string command;                    ///< the command line that flies the mission again
   std::vector<std::uint8_t> topdown_png;  ///< empty: no picture
+  std::vector<std::uint8_t> mesh_png;     ///< empty: no picture
   std::vector<std::string> notes;         ///< one sentence each: what a reader of the numbers should know
 };
 

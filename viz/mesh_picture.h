@@ -2,24 +2,23 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <opencv2/core.hpp>
 
 #include "core/map/tri_mesh.h"
+#include "viz/image.h"
 
 namespace citrine::viz {
 
-/// Where a mesh is looked at from: an orthographic view of the box, from `azimuth_rad` and `elevation_rad`.
+/// Where a mesh is looked at from: a parallel projection that fills the picture with a box.
 struct MeshView {
-  Eigen::AlignedBox3d box_W;          ///< [m] what is to fill the picture
-  double azimuth_rad = -2.1;          ///< of the viewer, seen from the box's centre
+  Eigen::AlignedBox3d box_W;      ///< [m]
+  double azimuth_rad = -2.1;      ///< of the viewer, seen from the box's centre
   double elevation_rad = 0.6;
-  cv::Size size{1600, 1000};
-  double ceiling_m = 1e9;             ///< triangles wholly above are left out
-  float weight_goal = 0;              ///< w*: vertices of full confidence are warm, poor ones cold; 0: plain grey
+  int width = 1600, height = 1000;
+  float weight_goal = 0;          ///< w*: poor vertices are drawn blue, those at the goal warm; 0: all plain
 };
 
-/// A shaded picture (BGR) of a mesh, z-buffered, two-sided; faces turned away from the viewer are drawn darker and bluish,
-/// so that holes and inside-out surfaces are seen at a glance.
-cv::Mat DrawMesh(const TriMesh& mesh, const MeshView& view);
+/// A shaded, z-buffered picture of a mesh. Faces that turn their back to the viewer are dark, so that holes and surface that is
+/// inside out are seen at a glance.
+Image DrawMesh(const TriMesh& mesh, const MeshView& view);
 
 }  // namespace citrine::viz

@@ -149,7 +149,7 @@ struct PlannerSection {
     v("decision_latency_s", decision_latency_s, Key{"mission time from a trigger to the goal, whatever the host's speed", "s", 0, 10});
     v("lookahead_s", lookahead_s, Key{"the next view is chosen this long before the UAV would come to rest", "s", 0, 10});
     v("path_margin_m", path_margin_m, Key{"clearance that paths keep beyond the robot's radius", "m", 0, 5});
-    v("hop_min_m", hop_min_m, Key{"views nearer than this are chosen only where there are no others: J_N would have the UAV nibble at the edge of what it sees; 0 is the paper's letter", "m", 0, 20});
+    v("hop_min_m", hop_min_m, Key{"views nearer than this are not chosen where others are within twice as far: J_N would have the UAV nibble at the edge of what it sees; 0 is the paper's letter", "m", 0, 20});
   }
 };
 

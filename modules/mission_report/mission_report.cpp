@@ -21,6 +21,8 @@
 #include "modules/mission_report/reconstruction.h"
 #include "modules/runtime/log_digest.h"
 #include "modules/runtime/log_reader.h"
+#include "viz/frame_writer.h"
+#include "viz/mesh_picture.h"
 
 namespace citrine {
 namespace {
@@ -102,6 +104,14 @@ std::string CommandOf(const Recording& recording, const MissionConfig& config) {
   return command;
 }
 
+void DrawMeshPicture(const TriMesh& mesh, const MissionConfig& config, const fs::path& path) {
+  viz::MeshView view;
+  for (const Eigen::Vector3f& vertex_W : mesh.vertices_W) view.box_W.extend(vertex_W.cast<double>());
+  if (view.box_W.isEmpty()) return;
+  view.weight_goal = static_cast<float>(config.quality_goals().w_star_max());
+  viz::WritePng(path.string(), viz::DrawMesh(mesh, view));
+}
+
 void WriteAll(const fs::path& folder, const logs::ReportPage& page) {
   for (std::size_t i = 0; i < page.record.uavs.size(); ++i)
     WriteFile(folder / ("uav" + std::to_string(i + 1) + ".tum"), logs::ToTum(page.record.uavs[i].states));
@@ -132,9 +142,12 @@ logs::Metrics WriteReport(const std::string& out_dir, const ReportInputs& inputs
   if (recording.messages_bad > 0)
     page.notes.push_back(std::to_string(recording.messages_bad) +
                          " messages of the log do not decode and are left out.");
+  const TriMesh mesh = MeshOf(folder, events, inputs.config);
+  DrawMeshPicture(mesh, inputs.config, folder / "mesh.png");
+  page.mesh_png = ReadBytes(folder / "mesh.png");
   try {
     const GroundTruth truth(inputs.config, StartsOf(page.record), inputs.cache_folder);
-    HoldAgainstTruth(truth, MeshOf(folder, events, inputs.config), page);
+    HoldAgainstTruth(truth, mesh, page);
   } catch (const sim::WorldError& error) {
     page.notes.push_back(std::string("Nothing is held against the true world: ") + error.what());
   }

@@ -12,6 +12,7 @@ constexpr double kGroup_m = 0.75;         ///< elements this near to a view's ow
 constexpr double kGoalsApart_m = 0.5;     ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
 constexpr double kStandOff_s = 3.0;       ///< until a view that an idle mate stands by is asked for again
+constexpr double kHopsOn = 2.0;           ///< hops within which the surface to be seen is taken to go on
 constexpr double kWarmUp_s = 3.0;         ///< before it the map is too young to say that nothing is left
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
@@ -89,9 +90,12 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const TrajectoryPoint& start, Utim
 }
 
 void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const {
-  const auto far = [&](const View& view) { return (view.p_W - p_W).norm() >= config_.planner.hop_min_m; };
-  const auto near = std::stable_partition(views.begin(), views.end(), far);
-  if (near != views.begin()) views.erase(near, views.end());
+  const double hop_m = config_.planner.hop_min_m;
+  const auto distance_m = [&](const View& view) { return (view.p_W - p_W).norm(); };
+  const bool goes_on = std::any_of(views.begin(), views.end(), [&](const View& view) {
+    return distance_m(view) >= hop_m && distance_m(view) <= kHopsOn * hop_m;
+  });
+  if (goes_on) std::erase_if(views, [&](const View& view) { return distance_m(view) < hop_m; });
 }
 
 void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now) {

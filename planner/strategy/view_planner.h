@@ -98,7 +98,7 @@ class ViewPlanner {
   void CountStandOffs(const Prospect& prospect, Utime now);
   void NoChoice(const Prospect& prospect, Utime now);
   void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now);
-  /// Takes views nearer than `planner.hop_min_m` out, unless there are no others.
+  /// Takes views nearer than `planner.hop_min_m` out where there are others not much farther.
   void LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const;
   bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
 
