@@ -61,7 +61,7 @@ Window::Window(std::string title) : title_(std::move(title)) {
     throw FrameError("no window: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)");
   }
   try {
-    cv::namedWindow(title_, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+    cv::namedWindow(title_, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO | cv::WINDOW_GUI_NORMAL);
   } catch (const cv::Exception& error) {
     throw FrameError("no window: " + error.err);
   }
@@ -76,6 +76,8 @@ Window::~Window() {
 
 void Window::Show(const Image& image) {
   cv::imshow(title_, View(image));
+  if (!sized_) cv::resizeWindow(title_, image.width, image.height);
+  sized_ = true;
   cv::waitKey(1);
 }
 

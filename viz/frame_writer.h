@@ -41,6 +41,7 @@ class Window {
 
  private:
   std::string title_;
+  bool sized_ = false;  ///< to the first image; from then on it is the viewer's to size
 };
 
 }  // namespace citrine::viz
