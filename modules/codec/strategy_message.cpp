@@ -6,8 +6,8 @@ namespace citrine {
 
 citrine_lcm::strategy_message_t Encode(const StrategyMessage& noun) {
   citrine_lcm::strategy_message_t message{};
-  message.from = noun.from;
-  message.to = noun.to;
+  message.from_uav = noun.from_uav;
+  message.to_uav = noun.to_uav;
   message.kind = noun.kind;
   message.num_bytes = static_cast<std::int32_t>(noun.bytes.size());
   message.data = noun.bytes;
@@ -15,8 +15,8 @@ citrine_lcm::strategy_message_t Encode(const StrategyMessage& noun) {
 }
 
 StrategyMessage Decode(const citrine_lcm::strategy_message_t& message) {
-  Require(message.from >= 1 && message.to >= 0, "strategy_message_t: from or to is no UAV");
-  return {message.from, message.to, message.kind, message.data};
+  Require(message.from_uav >= 1 && message.to_uav >= 0, "strategy_message_t: sender or addressee is no UAV");
+  return {message.from_uav, message.to_uav, message.kind, message.data};
 }
 
 }  // namespace citrine

@@ -1,5 +1,6 @@
 #include <map>
 #include <regex>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -45,12 +46,13 @@ TEST(ChannelTable, NamesEveryTypeThatThereIs) {
   }
 }
 
+const std::regex kField(R"(^    (int\w+|double|float|byte|boolean|string)\s+(\w+)(\[\w+\])?;.*)");
+
 TEST(ChannelTable, HasTypesThatBeginWithTimeAndCountAndHaveABlobLast) {
-  const std::regex field(R"(^    (int\w+|double|float|byte|boolean|string)\s+(\w+)(\[\w+\])?;.*)");
   for (const SourceFile& file : FilesUnder("lcmtypes", {".lcm"})) {
     std::vector<std::string> types, names;
     for (const std::string& line : file.lines)
-      if (std::smatch m; std::regex_match(line, m, field)) {
+      if (std::smatch m; std::regex_match(line, m, kField)) {
         types.push_back(m[1]);
         names.push_back(m[2]);
       }
@@ -60,6 +62,20 @@ TEST(ChannelTable, HasTypesThatBeginWithTimeAndCountAndHaveABlobLast) {
     for (std::size_t i = 0; i + 1 < types.size(); ++i)
       EXPECT_NE(types[i], "byte") << file.path << ": a blob comes last";
   }
+}
+
+// lcm-gen takes a name as it is: one that Python, Java or JavaScript reserves cannot be read there.
+TEST(ChannelTable, HasFieldsWhoseNamesAreFreeInEveryLanguageOfLcm) {
+  const std::set<std::string> reserved = {
+      "and",    "as",   "assert", "async", "await",  "class",   "def",   "default", "del",     "delete",
+      "except", "exec", "final",  "for",   "from",   "function", "global", "if",     "import",  "in",
+      "is",     "lambda", "len",  "let",   "native", "new",     "not",   "or",      "package", "pass",
+      "print",  "raise", "self",  "super", "this",   "try",     "typeof", "var",    "while",   "with", "yield"};
+  for (const SourceFile& file : FilesUnder("lcmtypes", {".lcm"}))
+    for (const std::string& line : file.lines)
+      if (std::smatch m; std::regex_match(line, m, kField)) {
+        EXPECT_FALSE(reserved.contains(m[2])) << file.path << ": " << m[2];
+      }
 }
 
 }  // namespace

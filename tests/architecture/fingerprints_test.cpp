@@ -29,7 +29,7 @@ TEST(Fingerprints, AreThoseOfTheRecordings) {
   EXPECT_EQ(Fingerprint<citrine_lcm::path_t>(), 0xd6452cc6fd1690b5u);
   EXPECT_EQ(Fingerprint<citrine_lcm::point_cloud_t>(), 0xdd89c7ecd84ac5e9u);
   EXPECT_EQ(Fingerprint<citrine_lcm::step_done_t>(), 0x98ebe3824f30011cu);
-  EXPECT_EQ(Fingerprint<citrine_lcm::strategy_message_t>(), 0x016774fbfaa6024eu);
+  EXPECT_EQ(Fingerprint<citrine_lcm::strategy_message_t>(), 0xbe9bd9c07f821499u);
   EXPECT_EQ(Fingerprint<citrine_lcm::trajectory_t>(), 0x0a99d60792470d07u);
   EXPECT_EQ(Fingerprint<citrine_lcm::uav_state_t>(), 0x04755a67361987b4u);
 }

@@ -214,8 +214,8 @@ TEST(TrajectoryCodec, RefusesCountsThatDoNotAgree) {
 TEST(StrategyMessageCodec, LosesNothing) {
   const StrategyMessage said{1, 3, "pair_request", {0, 255, 7}};
   const StrategyMessage heard = Decode(OverTheWire(Encode(said)));
-  EXPECT_EQ(heard.from, 1);
-  EXPECT_EQ(heard.to, 3);
+  EXPECT_EQ(heard.from_uav, 1);
+  EXPECT_EQ(heard.to_uav, 3);
   EXPECT_EQ(heard.kind, "pair_request");
   EXPECT_EQ(heard.bytes, said.bytes);
 }
