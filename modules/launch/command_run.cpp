@@ -55,7 +55,7 @@ int RunMission(const RunOptions& asked) {
   std::optional<std::string> bus;
   if (!WantsOneProcess(options)) {
     bus = ChooseBus(options.isolate);
-    if (!bus) options.overrides.push_back("launch.in_process=true");
+    if (!bus) options.overrides.emplace_back("launch.in_process=true");
   }
   const ResolvedMission mission = ResolveMission(options);
   const std::string file = PrepareResultFolder(mission);
