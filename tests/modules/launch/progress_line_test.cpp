@@ -10,7 +10,8 @@ using ::testing::HasSubstr;
 
 MissionView SomeView() {
   MissionView view;
-  view.clock = Clock{.utime = FromSeconds(134), .step = 6700, .dt_s = 0.02};
+  view.clock.emplace();
+  view.clock->utime = FromSeconds(134);
   view.progress.surface_voxels = 200;
   view.progress.voxels_at_goal = 50;
   view.progress.known_pct = 61;
