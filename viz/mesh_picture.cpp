@@ -6,6 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 namespace citrine::viz {
 
 namespace {
@@ -18,24 +21,26 @@ const Rgb kPoor(0, 114, 178), kGood(240, 214, 120);
 /// Maps the world to pixels and depth: x right, y down, z towards the viewer.
 struct Projection {
   Eigen::Matrix3d R_VW;
-  Eigen::Vector3d centre_W;
+  Eigen::Vector3d centre_V;
   double pixels_per_m;
   int width, height;
 
   Eigen::Vector3d operator()(const Eigen::Vector3d& p_W) const {
-    const Eigen::Vector3d p = R_VW * (p_W - centre_W) * pixels_per_m;
+    const Eigen::Vector3d p = (R_VW * p_W - centre_V) * pixels_per_m;
     return {width / 2.0 + p.x(), height / 2.0 - p.y(), p.z()};
   }
 };
 
-Projection Fit(const MeshView& view, int width, int height) {
-  Projection projection{{}, view.box_W.center(), 1, width, height};
+Projection Fit(const TriMesh& mesh, const MeshView& view, int width, int height) {
+  Projection projection{{}, {}, 1, width, height};
   const double ca = std::cos(view.azimuth_rad), sa = std::sin(view.azimuth_rad);
   const double ce = std::cos(view.elevation_rad), se = std::sin(view.elevation_rad);
   const Eigen::Vector3d to_viewer(ca * ce, sa * ce, se), right(-sa, ca, 0);
   projection.R_VW << right.transpose(), to_viewer.cross(right).transpose(), to_viewer.transpose();
-  const Eigen::Vector3d extent = projection.R_VW.cwiseAbs() * view.box_W.sizes();
-  projection.pixels_per_m = 0.96 * std::min(width / extent.x(), height / extent.y());
+  Eigen::AlignedBox3d box_V;
+  for (const Eigen::Vector3f& vertex_W : mesh.vertices_W) box_V.extend(projection.R_VW * vertex_W.cast<double>());
+  projection.centre_V = box_V.center();
+  projection.pixels_per_m = 0.94 * std::min(width / box_V.sizes().x(), height / box_V.sizes().y());
   return projection;
 }
 
@@ -97,7 +102,8 @@ struct Buffer {
 
 Image DrawMesh(const TriMesh& mesh, const MeshView& view) {
   Buffer buffer(kSupersampling * view.width, kSupersampling * view.height);
-  const Projection project = Fit(view, buffer.width, buffer.height);
+  if (mesh.vertices_W.empty()) return buffer.Reduced();
+  const Projection project = Fit(mesh, view, buffer.width, buffer.height);
   const Eigen::Vector3d light_W = (project.R_VW.transpose() * Eigen::Vector3d(-0.4, 0.75, 0.6)).normalized();
   for (const auto& triangle : mesh.triangles) {
     std::array<Eigen::Vector3d, 3> w, p;

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include "core/map/tri_mesh.h"
 #include "viz/image.h"
 
 namespace citrine::viz {
 
-/// Where a mesh is looked at from: a parallel projection that fills the picture with a box.
+/// Where a mesh is looked at from: a parallel projection that fills the picture.
 struct MeshView {
-  Eigen::AlignedBox3d box_W;      ///< [m]
-  double azimuth_rad = -2.1;      ///< of the viewer, seen from the box's centre
+  double azimuth_rad = -2.1;      ///< of the viewer, seen from the mesh
   double elevation_rad = 0.6;
   int width = 1600, height = 1000;
   float weight_goal = 0;          ///< w*: poor vertices are drawn blue, those at the goal warm; 0: all plain

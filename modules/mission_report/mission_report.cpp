@@ -106,8 +106,6 @@ std::string CommandOf(const Recording& recording, const MissionConfig& config) {
 
 void DrawMeshPicture(const TriMesh& mesh, const MissionConfig& config, const fs::path& path) {
   viz::MeshView view;
-  for (const Eigen::Vector3f& vertex_W : mesh.vertices_W) view.box_W.extend(vertex_W.cast<double>());
-  if (view.box_W.isEmpty()) return;
   view.weight_goal = static_cast<float>(config.quality_goals().w_star_max());
   viz::WritePng(path.string(), viz::DrawMesh(mesh, view));
 }
