@@ -12,7 +12,9 @@ Digest::Digest() : state_(XXH64_createState()) {
   XXH64_reset(static_cast<XXH64_state_t*>(state_), 0);
 }
 Digest::~Digest() { XXH64_freeState(static_cast<XXH64_state_t*>(state_)); }
-void Digest::Add(const void* data, std::size_t size) { XXH64_update(static_cast<XXH64_state_t*>(state_), data, size); }
+void Digest::Add(const void* data, std::size_t size) {
+  XXH64_update(static_cast<XXH64_state_t*>(state_), data, size);
+}
 std::uint64_t Digest::value() const { return XXH64_digest(static_cast<const XXH64_state_t*>(state_)); }
 
 std::string Hex(std::uint64_t value) {

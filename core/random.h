@@ -26,7 +26,9 @@ class Random {
   double Uniform() { return Next() * 0x1p-32; }
   double Uniform(double min, double max) { return min + (max - min) * Uniform(); }
   /// In [0, n).
-  std::uint32_t Below(std::uint32_t n) { return static_cast<std::uint32_t>((static_cast<std::uint64_t>(Next()) * n) >> 32); }
+  std::uint32_t Below(std::uint32_t n) {
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(Next()) * n) >> 32);
+  }
 
   /// Standard normal (Box & Muller 1958, one of the pair).
   double Normal() {

@@ -54,7 +54,8 @@ std::string Notes(const std::vector<std::string>& notes) {
 
 std::string Picture(const std::string& title, const std::string& alt, const std::vector<std::uint8_t>& png) {
   if (png.empty()) return "";
-  return "<h2>" + title + "</h2>\n<img alt=\"" + alt + "\" src=\"data:image/png;base64," + Base64(png) + "\"/>\n";
+  return "<h2>" + title + "</h2>\n<img alt=\"" + alt + "\" src=\"data:image/png;base64," + Base64(png) +
+         "\"/>\n";
 }
 
 }  // namespace

@@ -7,18 +7,20 @@
 
 namespace citrine {
 
-/// Hears MAP_BLOCKS and MAP_SUMMARY and keeps the planning map that they say; modules of one process share one.
-/// The base station decides on the same quantised map, so all agree.
+/// Hears MAP_BLOCKS and MAP_SUMMARY and keeps the planning map that they say; modules of one process share
+/// one. The base station decides on the same quantised map, so all agree.
 class MapHearer {
  public:
   MapHearer(const MissionConfig& config, Bus& bus);
   ~MapHearer();
 
-  /// Takes over what was said before this step; the first caller of a step does the work. @return whether the map changed
+  /// Takes over what was said before this step; the first caller of a step does the work. @return whether the
+  /// map changed
   bool Update(const Step& step);
 
   const PlanningMap& map() const;
-  /// Version of the newest summary whose digest this map has, i.e. the base station's map is held whole; -1 before one.
+  /// Version of the newest summary whose digest this map has, i.e. the base station's map is held whole; -1
+  /// before one.
   std::int64_t map_version() const;
 
  private:

@@ -35,7 +35,8 @@ Eigen::AlignedBox2d Around(const Pixel& centre, double radius) {
 
 }  // namespace
 
-Canvas::Canvas(const Eigen::AlignedBox2d& area_W, double pixels_per_m) : area_W_(area_W), pixels_per_m_(pixels_per_m) {
+Canvas::Canvas(const Eigen::AlignedBox2d& area_W, double pixels_per_m)
+    : area_W_(area_W), pixels_per_m_(pixels_per_m) {
   const int rows = std::max(kRowsMin, Even(area_W.sizes().y() * pixels_per_m));
   scale_ = std::max(rows / 1080.0, 0.72);
   map_width_ = Even(area_W.sizes().x() * pixels_per_m);
@@ -43,7 +44,8 @@ Canvas::Canvas(const Eigen::AlignedBox2d& area_W, double pixels_per_m) : area_W_
 }
 
 Pixel Canvas::ToPixel(const Eigen::Vector2d& p_W) const {
-  const double below = (image_.height - area_W_.sizes().y() * pixels_per_m_) / 2;  // the map part stands in the middle
+  const double below =
+      (image_.height - area_W_.sizes().y() * pixels_per_m_) / 2;  // the map part stands in the middle
   return {(p_W.x() - area_W_.min().x()) * pixels_per_m_ - 0.5,
           image_.height - below - (p_W.y() - area_W_.min().y()) * pixels_per_m_ - 0.5};
 }
@@ -56,7 +58,9 @@ std::vector<Pixel> Canvas::ToPixels(const std::vector<Eigen::Vector3d>& points_W
 }
 
 Eigen::AlignedBox2d Canvas::map_px() const { return {Pixel(0, 0), Pixel(map_width_, image_.height)}; }
-Eigen::AlignedBox2d Canvas::strip_px() const { return {Pixel(map_width_, 0), Pixel(image_.width, image_.height)}; }
+Eigen::AlignedBox2d Canvas::strip_px() const {
+  return {Pixel(map_width_, 0), Pixel(image_.width, image_.height)};
+}
 
 /// Draws on a copy of the pixels in `box` and mixes it with them.
 template <class Draw>
@@ -91,9 +95,11 @@ void Canvas::Dashes(const std::vector<Pixel>& points, Colour colour, double widt
     const double length = leg.norm();
     for (double from = 0; from < length;) {
       const double phase = std::fmod(along + from, 2 * dash_px);
-      const double to = std::min(length, from + (phase < dash_px ? dash_px - phase : 2 * dash_px - phase) + 1e-6);
+      const double to =
+          std::min(length, from + (phase < dash_px ? dash_px - phase : 2 * dash_px - phase) + 1e-6);
       if (phase < dash_px) {
-        Polyline({points[i - 1] + leg * (from / length), points[i - 1] + leg * (to / length)}, colour, width_px);
+        Polyline({points[i - 1] + leg * (from / length), points[i - 1] + leg * (to / length)}, colour,
+                 width_px);
       }
       from = to;
     }
@@ -103,31 +109,33 @@ void Canvas::Dashes(const std::vector<Pixel>& points, Colour colour, double widt
 
 void Canvas::Disc(const Pixel& centre, double radius_px, Colour colour, double opacity) {
   Blend(Around(centre, radius_px), opacity, [&](cv::Mat& mat, const Pixel& shift) {
-    cv::circle(mat, ToPoint(centre + shift), static_cast<int>(std::lround(radius_px * (1 << kShift))), ToScalar(colour),
-               cv::FILLED, cv::LINE_AA, kShift);
+    cv::circle(mat, ToPoint(centre + shift), static_cast<int>(std::lround(radius_px * (1 << kShift))),
+               ToScalar(colour), cv::FILLED, cv::LINE_AA, kShift);
   });
 }
 
 void Canvas::Ring(const Pixel& centre, double radius_px, Colour colour, double width_px, double opacity) {
   Blend(Around(centre, radius_px + width_px), opacity, [&](cv::Mat& mat, const Pixel& shift) {
-    cv::circle(mat, ToPoint(centre + shift), static_cast<int>(std::lround(radius_px * (1 << kShift))), ToScalar(colour),
-               Thickness(width_px), cv::LINE_AA, kShift);
+    cv::circle(mat, ToPoint(centre + shift), static_cast<int>(std::lround(radius_px * (1 << kShift))),
+               ToScalar(colour), Thickness(width_px), cv::LINE_AA, kShift);
   });
 }
 
 void Canvas::Fill(const Eigen::AlignedBox2d& box, Colour colour, double opacity) {
   Blend(box, opacity, [&](cv::Mat& mat, const Pixel& shift) {
-    cv::rectangle(mat, ToPoint(box.min() + shift), ToPoint(box.max() + shift), ToScalar(colour), cv::FILLED, cv::LINE_AA,
-                  kShift);
+    cv::rectangle(mat, ToPoint(box.min() + shift), ToPoint(box.max() + shift), ToScalar(colour), cv::FILLED,
+                  cv::LINE_AA, kShift);
   });
 }
 
 void Canvas::Outline(const Eigen::AlignedBox2d& box, Colour colour, double width_px) {
   cv::Mat mat = View(image_);
-  cv::rectangle(mat, ToPoint(box.min()), ToPoint(box.max()), ToScalar(colour), Thickness(width_px), cv::LINE_AA, kShift);
+  cv::rectangle(mat, ToPoint(box.min()), ToPoint(box.max()), ToScalar(colour), Thickness(width_px),
+                cv::LINE_AA, kShift);
 }
 
-void Canvas::Text(const Pixel& at, const std::string& text, Colour colour, double height_px, Align align, bool bold) {
+void Canvas::Text(const Pixel& at, const std::string& text, Colour colour, double height_px, Align align,
+                  bool bold) {
   constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
   constexpr double kCapitals_px = 22;  // height of that font's capitals at scale 1
   const double size = height_px / kCapitals_px;
@@ -136,11 +144,12 @@ void Canvas::Text(const Pixel& at, const std::string& text, Colour colour, doubl
   const double width = cv::getTextSize(text, kFont, size, thickness, &below).width;
   const double left = align == Align::kLeft ? 0 : align == Align::kCentre ? width / 2 : width;
   cv::Mat mat = View(image_);
-  cv::putText(mat, text, cv::Point2d(std::round(at.x() - left), std::round(at.y())), kFont, size, ToScalar(colour),
-              thickness, cv::LINE_AA);
+  cv::putText(mat, text, cv::Point2d(std::round(at.x() - left), std::round(at.y())), kFont, size,
+              ToScalar(colour), thickness, cv::LINE_AA);
 }
 
-void Canvas::Lay(const Image& cells, const std::vector<float>& cover, const Eigen::Vector2d& corner_W, double cell_m) {
+void Canvas::Lay(const Image& cells, const std::vector<float>& cover, const Eigen::Vector2d& corner_W,
+                 double cell_m) {
   const Pixel top_left = ToPixel(Eigen::Vector2d(corner_W.x(), corner_W.y() + cells.height * cell_m));
   const double side = cell_m * pixels_per_m_;
   // Cell (i, j) has its centre at top_left + (i + 1/2, j + 1/2) side; the warp takes pixels back to cells.
@@ -149,7 +158,8 @@ void Canvas::Lay(const Image& cells, const std::vector<float>& cover, const Eige
   const cv::Size size(static_cast<int>(map_width_), image_.height);
   Image copy = cells;
   cv::Mat mask(cells.height, cells.width, CV_8U), colours, opacity;
-  std::transform(cover.begin(), cover.end(), mask.data, [](float t) { return static_cast<uchar>(std::lround(255 * t)); });
+  std::transform(cover.begin(), cover.end(), mask.data,
+                 [](float t) { return static_cast<uchar>(std::lround(255 * t)); });
   cv::warpAffine(View(copy), colours, to_cell, size, flags, cv::BORDER_REPLICATE);
   cv::warpAffine(mask, opacity, to_cell, size, flags, cv::BORDER_CONSTANT, cv::Scalar(0));
   for (int y = 0; y < size.height; ++y) {

@@ -39,12 +39,14 @@ class Canvas {
   void Outline(const Eigen::AlignedBox2d& box, Colour colour, double width_px);
 
   /// Text whose capitals are `height_px` high, standing on `at`.
-  void Text(const Pixel& at, const std::string& text, Colour colour, double height_px, Align align = Align::kLeft,
-            bool bold = false);
+  void Text(const Pixel& at, const std::string& text, Colour colour, double height_px,
+            Align align = Align::kLeft, bool bold = false);
 
-  /// Lays a picture of one pixel a cell over the map, north up, each cell `cell_m` wide from `corner_W` (lower left).
+  /// Lays a picture of one pixel a cell over the map, north up, each cell `cell_m` wide from `corner_W`
+  /// (lower left).
   /// @param cover one a cell, how much of it hides what lies below; row by row from the top as `cells`
-  void Lay(const Image& cells, const std::vector<float>& cover, const Eigen::Vector2d& corner_W, double cell_m);
+  void Lay(const Image& cells, const std::vector<float>& cover, const Eigen::Vector2d& corner_W,
+           double cell_m);
 
   const Image& image() const { return image_; }
 

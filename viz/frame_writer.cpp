@@ -26,7 +26,8 @@ void WritePng(const std::string& path, const Image& image) {
     written = cv::imwrite(unfinished, View(image));
   } catch (const cv::Exception&) {
   }
-  if (!written || std::rename(unfinished.c_str(), path.c_str()) != 0) throw FrameError(path + ": cannot be written");
+  if (!written || std::rename(unfinished.c_str(), path.c_str()) != 0)
+    throw FrameError(path + ": cannot be written");
 }
 
 struct VideoWriter::Impl {
@@ -52,7 +53,8 @@ VideoWriter::VideoWriter(const std::string& path, int width, int height, double 
 VideoWriter::~VideoWriter() = default;
 
 void VideoWriter::Add(const Image& image) {
-  if (cv::Size(image.width, image.height) != impl_->size) throw FrameError(impl_->path + ": a frame of another size");
+  if (cv::Size(image.width, image.height) != impl_->size)
+    throw FrameError(impl_->path + ": a frame of another size");
   impl_->writer.write(View(image));
 }
 

@@ -38,7 +38,8 @@ Projection Fit(const TriMesh& mesh, const MeshView& view, int width, int height)
   const Eigen::Vector3d to_viewer(ca * ce, sa * ce, se), right(-sa, ca, 0);
   projection.R_VW << right.transpose(), to_viewer.cross(right).transpose(), to_viewer.transpose();
   Eigen::AlignedBox3d box_V;
-  for (const Eigen::Vector3f& vertex_W : mesh.vertices_W) box_V.extend(projection.R_VW * vertex_W.cast<double>());
+  for (const Eigen::Vector3f& vertex_W : mesh.vertices_W)
+    box_V.extend(projection.R_VW * vertex_W.cast<double>());
   projection.centre_V = box_V.center();
   projection.pixels_per_m = 0.94 * std::min(width / box_V.sizes().x(), height / box_V.sizes().y());
   return projection;
@@ -56,12 +57,16 @@ struct Buffer {
   std::vector<double> depth;
 
   Buffer(int w, int h)
-      : width(w), height(h), colour(static_cast<std::size_t>(w) * h, kBackground),
+      : width(w),
+        height(h),
+        colour(static_cast<std::size_t>(w) * h, kBackground),
         depth(colour.size(), -std::numeric_limits<double>::infinity()) {}
 
   /// Fills the triangle p (pixels and depth) wherever it is nearer than what is there.
   void Fill(const std::array<Eigen::Vector3d, 3>& p, double area, const Rgb& rgb) {
-    const auto clamped = [](double v, int top) { return std::clamp(static_cast<int>(std::floor(v)), 0, top); };
+    const auto clamped = [](double v, int top) {
+      return std::clamp(static_cast<int>(std::floor(v)), 0, top);
+    };
     const int x0 = clamped(std::min({p[0].x(), p[1].x(), p[2].x()}), width - 1);
     const int x1 = clamped(std::max({p[0].x(), p[1].x(), p[2].x()}), width - 1);
     const int y0 = clamped(std::min({p[0].y(), p[1].y(), p[2].y()}), height - 1);
@@ -89,9 +94,12 @@ struct Buffer {
         Rgb sum = Rgb::Zero();
         for (int dy = 0; dy < kSupersampling; ++dy)
           for (int dx = 0; dx < kSupersampling; ++dx)
-            sum += colour[static_cast<std::size_t>(kSupersampling * y + dy) * width + kSupersampling * x + dx];
+            sum +=
+                colour[static_cast<std::size_t>(kSupersampling * y + dy) * width + kSupersampling * x + dx];
         sum /= kSupersampling * kSupersampling;
-        const auto byte = [](float v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0f, 255.0f))); };
+        const auto byte = [](float v) {
+          return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0f, 255.0f)));
+        };
         image.Set(x, y, Colour{byte(sum.x()), byte(sum.y()), byte(sum.z())});
       }
     return image;
@@ -116,9 +124,12 @@ Image DrawMesh(const TriMesh& mesh, const MeshView& view) {
     const double area = (p[1] - p[0]).x() * (p[2] - p[0]).y() - (p[1] - p[0]).y() * (p[2] - p[0]).x();
     const Eigen::Vector3d normal_W = (w[1] - w[0]).cross(w[2] - w[0]).normalized();
     if (std::abs(area) < 1e-9 || !normal_W.allFinite()) continue;
-    const bool front = area < 0;  // y goes down: a face that is counter-clockwise to the viewer has a negative area
+    const bool front =
+        area < 0;  // y goes down: a face that is counter-clockwise to the viewer has a negative area
     const double lit = std::max(0.0, (front ? 1 : -1) * normal_W.dot(light_W));
-    buffer.Fill(p, area, (front ? ColourOf(confidence, view.weight_goal) : kBack) * static_cast<float>(0.35 + 0.65 * lit));
+    buffer.Fill(
+        p, area,
+        (front ? ColourOf(confidence, view.weight_goal) : kBack) * static_cast<float>(0.35 + 0.65 * lit));
   }
   return buffer.Reduced();
 }

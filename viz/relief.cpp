@@ -8,11 +8,12 @@ namespace citrine::viz {
 namespace {
 
 constexpr double kSunAltitude_rad = 0.75;
-constexpr double kSunAzimuth_rad = 2.36;      // north-west
+constexpr double kSunAzimuth_rad = 2.36;  // north-west
 constexpr double kExaggeration = 1.0;
 constexpr int kShadowReach_cells = 32;
 
-/// The highest place where the map passes from free to solid, walking down; the surface is where the distance is zero.
+/// The highest place where the map passes from free to solid, walking down; the surface is where the distance
+/// is zero.
 void LookDown(const Scene& scene, int vx, int vy, int top_z, Relief& relief, std::size_t cell) {
   const PlanningMap& map = *scene.map;
   const VoxelGrid& grid = map.grid();
@@ -44,9 +45,11 @@ double HillShade(const Relief& relief, int x, int y) {
   const float here = relief.top_m[relief.Cell(x, y)];
   const double east = (TopOr(relief, x + 1, y, here) - TopOr(relief, x - 1, y, here)) / (2 * relief.cell_m);
   const double north = (TopOr(relief, x, y - 1, here) - TopOr(relief, x, y + 1, here)) / (2 * relief.cell_m);
-  const Eigen::Vector3d normal = Eigen::Vector3d(-kExaggeration * east, -kExaggeration * north, 1).normalized();
+  const Eigen::Vector3d normal =
+      Eigen::Vector3d(-kExaggeration * east, -kExaggeration * north, 1).normalized();
   const Eigen::Vector3d sun(std::cos(kSunAltitude_rad) * std::cos(kSunAzimuth_rad),
-                            std::cos(kSunAltitude_rad) * std::sin(kSunAzimuth_rad), std::sin(kSunAltitude_rad));
+                            std::cos(kSunAltitude_rad) * std::sin(kSunAzimuth_rad),
+                            std::sin(kSunAltitude_rad));
   return std::max(0.0, normal.dot(sun));
 }
 

@@ -5,7 +5,8 @@
 
 namespace citrine::viz {
 
-/// Draws scenes of one mission from above, all in one size: the mission volume at a scale, and the strip beside it.
+/// Draws scenes of one mission from above, all in one size: the mission volume at a scale, and the strip
+/// beside it.
 class TopdownRenderer {
  public:
   TopdownRenderer(const Eigen::AlignedBox3d& volume_W, double pixels_per_m);

@@ -9,8 +9,8 @@ namespace citrine {
 
 /// What a configuration key allows and where its default comes from; shown by `citrine config`.
 struct Key {
-  const char* doc = "";       ///< what it is and what it changes, with the source of the default
-  const char* unit = "";      ///< "m", "s", "rad", ... ; empty for a count or a name
+  const char* doc = "";   ///< what it is and what it changes, with the source of the default
+  const char* unit = "";  ///< "m", "s", "rad", ... ; empty for a count or a name
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   std::vector<std::string> options = {};  ///< of a name; empty: any

@@ -16,7 +16,8 @@
 namespace citrine {
 
 // One struct a section of a mission file. `Visit` names every field once: reading, checking, printing and
-// documenting all come from it. A field is a bool, int, double, string, Vector3d, vector<Vector3d> or an optional of one.
+// documenting all come from it. A field is a bool, int, double, string, Vector3d, vector<Vector3d> or an
+// optional of one.
 
 /// [mission]
 struct MissionSection {
@@ -32,12 +33,16 @@ struct MissionSection {
   void Visit(V& v) {
     v("name", name, Key{"short name; the result folder begins with it"});
     v("world", world, Key{"SDFormat or mesh file, relative to the mission file or the project"});
-    v("volume_min_m", volume_min_m, Key{"lower corner of the mission volume in the world frame; default: the world's bounds less 3 m", "m"});
-    v("volume_max_m", volume_max_m, Key{"upper corner of the mission volume; default: the world's bounds plus 3 m", "m"});
+    v("volume_min_m", volume_min_m,
+      Key{"lower corner of the mission volume in the world frame; default: the world's bounds less 3 m",
+          "m"});
+    v("volume_max_m", volume_max_m,
+      Key{"upper corner of the mission volume; default: the world's bounds plus 3 m", "m"});
     v("spawns_m", spawns_m, Key{"start positions, one a UAV, z >= 2.25; default: placed by itself", "m"});
     v("uavs", uavs, Key{"UAVs in the fleet, N (paper, V-A)", "", 1, 15});
     v("seed", seed, Key{"sensor noise, spawn jitter and first centroids", "", 0, 1e9});
-    v("time_limit_s", time_limit_s, Key{"the mission ends then at the latest (paper, V-A: 15 min)", "s", 1, 86400});
+    v("time_limit_s", time_limit_s,
+      Key{"the mission ends then at the latest (paper, V-A: 15 min)", "s", 1, 86400});
   }
 };
 
@@ -50,12 +55,15 @@ struct UavSection {
 
   template <class V>
   void Visit(V& v) {
-    v("radius_m", limits.radius_m, Key{"clearance that the centre keeps from obstacles (paper, table I)", "m", 0.1, 10});
+    v("radius_m", limits.radius_m,
+      Key{"clearance that the centre keeps from obstacles (paper, table I)", "m", 0.1, 10});
     v("speed_max_mps", limits.speed_max_mps, Key{"(paper, table I)", "m/s", 0.1, 30});
     v("acceleration_max_mps2", limits.acceleration_max_mps2, Key{"(paper, table I)", "m/s^2", 0.1, 30});
-    v("spawn_jitter_m", spawn_jitter_m, Key{"start positions are moved by up to this much by the seed", "m", 0, 5});
+    v("spawn_jitter_m", spawn_jitter_m,
+      Key{"start positions are moved by up to this much by the seed", "m", 0, 5});
     v("wind_gust_mps", wind_gust_mps, Key{"peak speed of seeded gusts; 0: none", "m/s", 0, 20});
-    v("localisation_noise_m", localisation_noise_m, Key{"standard deviation of the position that is said; 0: none (paper: perfect)", "m", 0, 1});
+    v("localisation_noise_m", localisation_noise_m,
+      Key{"standard deviation of the position that is said; 0: none (paper: perfect)", "m", 0, 1});
   }
 };
 
@@ -69,12 +77,15 @@ struct LidarSection {
   void Visit(V& v) {
     v("rows", model.rows, Key{"rings", "", 1, 256});
     v("cols", model.cols, Key{"beams a ring", "", 8, 8192});
-    v("elevation_min_rad", model.elevation_min_rad, Key{"lowest ring (paper, table I: -35 degrees)", "rad", -1.57, 1.57});
-    v("elevation_max_rad", model.elevation_max_rad, Key{"highest ring (paper, table I: 30 degrees)", "rad", -1.57, 1.57});
+    v("elevation_min_rad", model.elevation_min_rad,
+      Key{"lowest ring (paper, table I: -35 degrees)", "rad", -1.57, 1.57});
+    v("elevation_max_rad", model.elevation_max_rad,
+      Key{"highest ring (paper, table I: 30 degrees)", "rad", -1.57, 1.57});
     v("range_min_m", model.range_min_m, Key{"r_min (paper, table I)", "m", 0.01, 100});
     v("range_max_m", model.range_max_m, Key{"r_max (paper, table I)", "m", 0.1, 15});
     v("rate_hz", rate_hz, Key{"scans a second of each UAV", "Hz", 0.1, 50});
-    v("noise_m_per_m2", noise_m_per_m2, Key{"sigma(r) = this * r^2 (paper, V-A: 1.5 cm at 10 m)", "1/m", 0, 0.1});
+    v("noise_m_per_m2", noise_m_per_m2,
+      Key{"sigma(r) = this * r^2 (paper, V-A: 1.5 cm at 10 m)", "1/m", 0, 0.1});
   }
 };
 
@@ -90,8 +101,14 @@ struct MapSection {
   template <class V>
   void Visit(V& v) {
     v("voxel_m", voxel_m, Key{"edge of a voxel, d_s (paper, table I)", "m", 0.02, 2});
-    v("truncation_m", truncation_m, Key{"band of the signed distance on either side of a surface; more than a voxel", "m", 0.02, 10});
-    v("weight_policy", weight_policy, Key{"what counts as confidence: the best single observation, the sum over scans, the sum over points", "", 0, 0, {"best_view", "per_scan", "per_point"}});
+    v("truncation_m", truncation_m,
+      Key{"band of the signed distance on either side of a surface; more than a voxel", "m", 0.02, 10});
+    v("weight_policy", weight_policy,
+      Key{"what counts as confidence: the best single observation, the sum over scans, the sum over points",
+          "",
+          0,
+          0,
+          {"best_view", "per_scan", "per_point"}});
     v("publish_hz", publish_hz, Key{"how often changed blocks are said", "Hz", 0.1, 50});
     v("rotation_s", rotation_s, Key{"time in which the rest of the map is said once", "s", 1, 600});
     v("octree_hz", octree_hz, Key{"how often the octree is said; 0: never", "Hz", 0, 10});
@@ -105,8 +122,10 @@ struct QualitySection {
 
   template <class V>
   void Visit(V& v) {
-    v("d_star_m", d_star_m, Key{"d*: every surface is to be seen from within it; w* = 1/d*^2 (paper, V-A)", "m", 0.5, 100});
-    v("eta_m", eta_m, Key{"half the width of the interval of viewing distances (not published; 0.5)", "m", 0.05, 5});
+    v("d_star_m", d_star_m,
+      Key{"d*: every surface is to be seen from within it; w* = 1/d*^2 (paper, V-A)", "m", 0.5, 100});
+    v("eta_m", eta_m,
+      Key{"half the width of the interval of viewing distances (not published; 0.5)", "m", 0.05, 5});
   }
 };
 
@@ -140,16 +159,23 @@ struct PlannerSection {
   void Visit(V& v) {
     v("strategy", strategy, Key{"who decides", "", 0, 0, {"quality_adaptive", "nearest_frontier"}});
     v("balance", balance, Key{"correct an unbalanced fleet (paper, IV-C); false is the paper's ablation"});
-    v("views", views, Key{"one view a cell of like elements, or the paper's letter", "", 0, 0, {"per_cell", "per_element"}});
+    v("views", views,
+      Key{"one view a cell of like elements, or the paper's letter", "", 0, 0, {"per_cell", "per_element"}});
     v("alpha", alpha, Key{"weight of J_I (paper, V-A)", "", 0, 100});
     v("beta", beta, Key{"weight of J_N (paper, V-A)", "", 0, 100});
     v("gamma", gamma, Key{"weight of J_C (paper, V-A)", "", 0, 100});
     v("corrected_selections", corrected_selections, Key{"k (paper, V-A)", "", 1, 100});
-    v("correction_expiry_s", correction_expiry_s, Key{"a correction is over then at the latest", "s", 1, 600});
-    v("decision_latency_s", decision_latency_s, Key{"mission time from a trigger to the goal, whatever the host's speed", "s", 0, 10});
-    v("lookahead_s", lookahead_s, Key{"the next view is chosen this long before the UAV would come to rest", "s", 0, 10});
+    v("correction_expiry_s", correction_expiry_s,
+      Key{"a correction is over then at the latest", "s", 1, 600});
+    v("decision_latency_s", decision_latency_s,
+      Key{"mission time from a trigger to the goal, whatever the host's speed", "s", 0, 10});
+    v("lookahead_s", lookahead_s,
+      Key{"the next view is chosen this long before the UAV would come to rest", "s", 0, 10});
     v("path_margin_m", path_margin_m, Key{"clearance that paths keep beyond the robot's radius", "m", 0, 5});
-    v("hop_min_m", hop_min_m, Key{"views nearer than this are not chosen where others are within twice as far: J_N would have the UAV nibble at the edge of what it sees; 0 is the paper's letter", "m", 0, 20});
+    v("hop_min_m", hop_min_m,
+      Key{"views nearer than this are not chosen where others are within twice as far: J_N would have the "
+          "UAV nibble at the edge of what it sees; 0 is the paper's letter",
+          "m", 0, 20});
   }
 };
 
@@ -164,7 +190,8 @@ struct SmootherSection {
 
   template <class V>
   void Visit(V& v) {
-    v("replan_ahead_s", replan_ahead_s, Key{"a new trajectory begins this long after now, on the committed one", "s", 0.02, 2});
+    v("replan_ahead_s", replan_ahead_s,
+      Key{"a new trajectory begins this long after now, on the committed one", "s", 0.02, 2});
     v("weight_time", weight_time, Key{"cost of a second of flight", "", 0, 1e6});
     v("weight_clearance", weight_clearance, Key{"cost of missing clearance", "", 0, 1e9});
     v("weight_limits", weight_limits, Key{"cost of exceeding speed or acceleration", "", 0, 1e9});
@@ -210,7 +237,8 @@ struct LaunchSection {
 
   template <class V>
   void Visit(V& v) {
-    v("pace", pace, Key{"mission seconds a second of the wall; 0: as fast as it goes, in lockstep", "", 0, 1000});
+    v("pace", pace,
+      Key{"mission seconds a second of the wall; 0: as fast as it goes, in lockstep", "", 0, 1000});
     v("in_process", in_process, Key{"all modules in one process"});
     v("out", out, Key{"result folder; default: results/<mission>-<strategy>-<seed>"});
     v("view", view, Key{"show the top-down picture in a window"});
@@ -233,7 +261,8 @@ struct MissionConfig {
   VizSection viz;
   LaunchSection launch;
 
-  /// Names the sections; `quality_regions` are the rows of [[quality.region]] and visited by the reader itself.
+  /// Names the sections; `quality_regions` are the rows of [[quality.region]] and visited by the reader
+  /// itself.
   template <class V>
   void Visit(V& v) {
     v("mission", mission);

@@ -7,8 +7,8 @@ namespace citrine {
 
 /// X_AB: where frame B stands in frame A. Composes as X_AC = X_AB * X_BC and maps points as p_A = X_AB * p_B.
 struct Pose {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();              ///< [m] origin of B in A
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();    ///< axes of B in A
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();            ///< [m] origin of B in A
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  ///< axes of B in A
 
   Eigen::Vector3d operator*(const Eigen::Vector3d& p_B) const { return p + q * p_B; }
   Pose operator*(const Pose& X_BC) const { return {p + q * X_BC.p, q * X_BC.q}; }

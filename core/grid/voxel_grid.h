@@ -11,14 +11,14 @@ namespace citrine {
 
 using VoxelIndex = Eigen::Vector3i;
 
-inline constexpr int kBlockSide = 8;                                     ///< [voxels] edge of a block
+inline constexpr int kBlockSide = 8;  ///< [voxels] edge of a block
 inline constexpr int kBlockVoxels = kBlockSide * kBlockSide * kBlockSide;
 
 /// A dense, bounded grid of cubic voxels, cut into blocks of 8x8x8, and the mission volume inside it.
 ///
-/// Voxels are numbered x fastest over the whole grid (`Linear`); blocks likewise (`Block`), and the voxels within
-/// a block (`InBlock`). Definitions of the paper are evaluated inside the mission volume only; the margin around it
-/// belongs to the map, but counts as neither unknown nor occupied.
+/// Voxels are numbered x fastest over the whole grid (`Linear`); blocks likewise (`Block`), and the voxels
+/// within a block (`InBlock`). Definitions of the paper are evaluated inside the mission volume only; the
+/// margin around it belongs to the map, but counts as neither unknown nor occupied.
 class VoxelGrid {
  public:
   VoxelGrid() = default;
@@ -28,7 +28,7 @@ class VoxelGrid {
   VoxelGrid(double voxel_m, const Eigen::AlignedBox3d& volume_W, double margin_m);
 
   double voxel_m() const { return voxel_m_; }
-  const Eigen::Vector3d& origin_W() const { return origin_W_; }       ///< [m] lowest corner of voxel 0
+  const Eigen::Vector3d& origin_W() const { return origin_W_; }  ///< [m] lowest corner of voxel 0
   const Eigen::AlignedBox3d& volume_W() const { return volume_W_; }
   const Eigen::Vector3i& blocks() const { return blocks_; }
   const Eigen::Vector3i& voxels() const { return voxels_; }

@@ -103,7 +103,8 @@ int ActiveSurface::ReachedCode(const VoxelIndex& v) const {
 void ActiveSurface::List() {
   elements_.clear();
   const auto add = [&](std::size_t i) {
-    if (class_[i] >= static_cast<std::uint8_t>(SurfaceClass::kLqse)) elements_.push_back(static_cast<std::uint32_t>(i));
+    if (class_[i] >= static_cast<std::uint8_t>(SurfaceClass::kLqse))
+      elements_.push_back(static_cast<std::uint32_t>(i));
   };
   std::size_t i = 0;
   for (; i + 8 <= class_.size(); i += 8) {

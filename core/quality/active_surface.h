@@ -9,7 +9,8 @@
 
 namespace citrine {
 
-/// What a voxel is to the surface. An incomplete element is empty and a surface voxel is not, so none is two things.
+/// What a voxel is to the surface. An incomplete element is empty and a surface voxel is not, so none is two
+/// things.
 enum class SurfaceClass : std::uint8_t {
   kNone = 0,
   kReached = 1,  ///< surface voxel (M_S) whose weight has reached w* of its region
@@ -17,10 +18,11 @@ enum class SurfaceClass : std::uint8_t {
   kIse = 3,      ///< incomplete surface element (definition 1)
 };
 
-/// The active surface elements of a planning map: ISE and LQSE inside the mission volume (paper, section III).
+/// The active surface elements of a planning map: ISE and LQSE inside the mission volume (paper, section
+/// III).
 ///
-/// ISE: empty, unknown in N6, occupied in N18. Surface voxel: known, |d| < d_s, empty in N6. Voxels outside the volume
-/// count as neither. Follows the map block by block and equals a computation from scratch.
+/// ISE: empty, unknown in N6, occupied in N18. Surface voxel: known, |d| < d_s, empty in N6. Voxels outside
+/// the volume count as neither. Follows the map block by block and equals a computation from scratch.
 class ActiveSurface {
  public:
   ActiveSurface(const VoxelGrid& grid, const Quantisation& quantisation, QualityGoals goals);
@@ -54,14 +56,14 @@ class ActiveSurface {
 
   VoxelGrid grid_;
   QualityGoals goals_;
-  std::array<bool, 256> in_band_{};              ///< by distance code: known and |d| < d_s
-  int reached_code_whole_ = 255;                 ///< lowest weight code that reaches w*
+  std::array<bool, 256> in_band_{};  ///< by distance code: known and |d| < d_s
+  int reached_code_whole_ = 255;     ///< lowest weight code that reaches w*
   std::vector<int> reached_code_of_region_;
   std::vector<std::uint8_t> class_;
   std::array<std::int32_t, 4> counts_{};
   std::vector<std::uint32_t> elements_;
-  std::vector<std::uint32_t> version_;           ///< of the blocks as last looked at
-  std::vector<std::int32_t> unknown_;            ///< unknown voxels of each block
+  std::vector<std::uint32_t> version_;  ///< of the blocks as last looked at
+  std::vector<std::int32_t> unknown_;   ///< unknown voxels of each block
   std::vector<std::int64_t> discovered_;
   std::int64_t last_discovery_ = 0;
 };

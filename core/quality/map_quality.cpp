@@ -28,8 +28,8 @@ MapQuality QualityOf(const PlanningMap& map, const ActiveSurface& surface, bool 
   return quality;
 }
 
-MissionProgress ProgressOf(const PlanningMap& map, const ActiveSurface& surface, bool all_remaining_out_of_reach,
-                           std::int64_t map_version) {
+MissionProgress ProgressOf(const PlanningMap& map, const ActiveSurface& surface,
+                           bool all_remaining_out_of_reach, std::int64_t map_version) {
   const MapQuality quality = QualityOf(map, surface, all_remaining_out_of_reach);
   MissionProgress progress;
   progress.map_version = map_version;

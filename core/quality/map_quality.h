@@ -10,7 +10,7 @@ namespace citrine {
 
 /// The quality of a map over its observed surface voxels M_S (eqs. 2-4).
 struct MapQuality {
-  double z_bar = 0;      ///< mean weight over M_S, as carried by the quantised map (clipped at the largest w*)
+  double z_bar = 0;  ///< mean weight over M_S, as carried by the quantised map (clipped at the largest w*)
   double z_bar_sat = 0;  ///< mean of min(w, w*)
   double z_goal = 0;     ///< Z*: mean of w*
   double xi = 0;         ///< 0 while an incomplete element remains that could be scanned, else 1
@@ -18,12 +18,13 @@ struct MapQuality {
   double z_sat() const { return xi * z_bar_sat; }  ///< eq. (3); equals z_goal iff no element is active
 };
 
-/// @param all_remaining_out_of_reach  whether every ISE left belongs to ISE_rem (definition 2), that is, no UAV has a
+/// @param all_remaining_out_of_reach  whether every ISE left belongs to ISE_rem (definition 2), that is, no
+/// UAV has a
 ///        view left; without ISE xi is 1 regardless
 MapQuality QualityOf(const PlanningMap& map, const ActiveSurface& surface, bool all_remaining_out_of_reach);
 
 /// What the base station says of it.
-MissionProgress ProgressOf(const PlanningMap& map, const ActiveSurface& surface, bool all_remaining_out_of_reach,
-                           std::int64_t map_version);
+MissionProgress ProgressOf(const PlanningMap& map, const ActiveSurface& surface,
+                           bool all_remaining_out_of_reach, std::int64_t map_version);
 
 }  // namespace citrine

@@ -7,8 +7,9 @@
 
 namespace citrine {
 
-/// The beams of a spinning LiDAR: rows go up in elevation, columns left (counter-clockwise) in azimuth; the sensor frame
-/// has x forward, z up. Column 0 begins at azimuth -pi. Defaults: table I of the paper, and 32 x 512 beams.
+/// The beams of a spinning LiDAR: rows go up in elevation, columns left (counter-clockwise) in azimuth; the
+/// sensor frame has x forward, z up. Column 0 begins at azimuth -pi. Defaults: table I of the paper, and 32 x
+/// 512 beams.
 struct LidarModel {
   int rows = 32;
   int cols = 512;
@@ -18,7 +19,9 @@ struct LidarModel {
   double range_max_m = 10.0;
 
   std::size_t num_beams() const { return static_cast<std::size_t>(rows) * cols; }
-  double row_step_rad() const { return rows > 1 ? (elevation_max_rad - elevation_min_rad) / (rows - 1) : 0.0; }
+  double row_step_rad() const {
+    return rows > 1 ? (elevation_max_rad - elevation_min_rad) / (rows - 1) : 0.0;
+  }
   double col_step_rad() const { return 2 * EIGEN_PI / cols; }
   double Elevation(int row) const { return elevation_min_rad + row * row_step_rad(); }
   double Azimuth(int col) const { return -EIGEN_PI + (col + 0.5) * col_step_rad(); }

@@ -19,16 +19,18 @@ struct TrajectoryPoint {
   double yaw_rate_radps = 0;
 };
 
-/// One quintic piece: x(s) = sum_k coefficients(axis, k) s^k with s seconds since the piece began; axes x, y, z, yaw.
+/// One quintic piece: x(s) = sum_k coefficients(axis, k) s^k with s seconds since the piece began; axes x, y,
+/// z, yaw.
 struct TrajectorySegment {
   double duration_s = 0;
   Eigen::Matrix<double, 4, 6> coefficients = Eigen::Matrix<double, 4, 6>::Zero();
 };
 
-/// Piecewise quintic motion in mission time. Ends at rest; before its start and after its end it stands still.
+/// Piecewise quintic motion in mission time. Ends at rest; before its start and after its end it stands
+/// still.
 struct Trajectory {
-  std::int64_t id = 0;        ///< counts up per UAV
-  std::int64_t path_id = 0;   ///< the path that it follows
+  std::int64_t id = 0;       ///< counts up per UAV
+  std::int64_t path_id = 0;  ///< the path that it follows
   Utime start = 0;
   std::vector<TrajectorySegment> segments;
 

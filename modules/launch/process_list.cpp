@@ -16,8 +16,7 @@ std::string Program(const std::string& name) {
 }  // namespace
 
 ProcessSpec RecorderProcess(const std::string& url, const std::string& log) {
-  return {kRecorder,
-          {Program(kRecorder), "--lcm-url", url, log}};
+  return {kRecorder, {Program(kRecorder), "--lcm-url", url, log}};
 }
 
 std::vector<ProcessSpec> ModuleProcesses(const MissionConfig& config, const std::string& mission_file,

@@ -92,7 +92,8 @@ void FollowClock(HostedModule& module) {
     }
     if (step) module.SayHealthWhenDue();
   }
-  if (step && step->last && lockstep) module.RepeatStepDone();  // nobody will be here to answer if it was lost
+  if (step && step->last && lockstep)
+    module.RepeatStepDone();  // nobody will be here to answer if it was lost
   if (!step || step->last) return;
   step->last = true;
   module.Begin(*step, lockstep);

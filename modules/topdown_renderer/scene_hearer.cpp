@@ -80,7 +80,8 @@ void SceneHearer::HearPlans() {
   Hear(channels::kTrajectory, *trajectories_, [](viz::SceneUav& uav, Trajectory&& trajectory) {
     if (!uav.trajectory || trajectory.id > uav.trajectory->id) uav.trajectory = std::move(trajectory);
   });
-  Hear(channels::kFleetStatus, *statuses_, [](viz::SceneUav& uav, const FleetStatus& status) { uav.status = status; });
+  Hear(channels::kFleetStatus, *statuses_,
+       [](viz::SceneUav& uav, const FleetStatus& status) { uav.status = status; });
 }
 
 void SceneHearer::HearAssignments() {
@@ -98,7 +99,8 @@ void SceneHearer::HearAssignments() {
     }
   }
   for (viz::SceneUav& uav : scene_.uavs) {
-    const bool over = uav.status && uav.status->plan_id == newest_plan_ && uav.status->corrected_selections_left == 0;
+    const bool over =
+        uav.status && uav.status->plan_id == newest_plan_ && uav.status->corrected_selections_left == 0;
     if (over || scene_.now > assignment_expiry_) uav.centroid_W.reset();
   }
 }
@@ -113,8 +115,8 @@ void SceneHearer::HearProgress() {
     }
     const MissionProgress& progress = scene_.progress;
     if (progress.surface_voxels == 0) continue;
-    scene_.history.push_back(
-        {Seconds(entry.message.utime), static_cast<double>(progress.voxels_at_goal) / progress.surface_voxels});
+    scene_.history.push_back({Seconds(entry.message.utime),
+                              static_cast<double>(progress.voxels_at_goal) / progress.surface_voxels});
   }
 }
 

@@ -33,7 +33,8 @@ class SceneHearer {
   void HearAssignments();
   void HearProgress();
 
-  /// Takes every message of an inbox, decodes it and hands those of the fleet over; counts what means nothing.
+  /// Takes every message of an inbox, decodes it and hands those of the fleet over; counts what means
+  /// nothing.
   template <class Message, class Take>
   void Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take);
 

@@ -10,8 +10,9 @@
 
 namespace citrine {
 
-/// The mission seen from above: hears everything and says nothing. Writes topdown.png into the result folder every ten
-/// seconds of mission time and at the end, topdown.mp4 with launch.video, and shows a window with launch.view.
+/// The mission seen from above: hears everything and says nothing. Writes topdown.png into the result folder
+/// every ten seconds of mission time and at the end, topdown.mp4 with launch.video, and shows a window with
+/// launch.view.
 class TopdownRendererModule : public Module {
  public:
   static constexpr const char* kName = "topdown_renderer";

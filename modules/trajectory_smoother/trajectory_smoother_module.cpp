@@ -55,7 +55,8 @@ TrajectorySmootherModule::TrajectorySmootherModule(const ModuleContext& context)
       health_(context.health),
       uav_(context.uav),
       map_hearer_(context.map_hearer),
-      executive_(SettingsOf(context.config, context.uav), map_hearer_->map(), Measured(context.config, context.health)),
+      executive_(SettingsOf(context.config, context.uav), map_hearer_->map(),
+                 Measured(context.config, context.health)),
       paths_(bus_.Hear(channels::kPath, uav_, kPathQueue)),
       scans_(bus_.Hear(channels::kLidarScan, uav_, kScanQueue)),
       states_(bus_.HearAll(channels::kUavState)),
@@ -84,8 +85,10 @@ void TrajectorySmootherModule::Hear(Inbox<Message>& inbox, const UavChannel<Mess
 
 void TrajectorySmootherModule::HearAll() {
   Hear(*states_, channels::kUavState, [this](int uav, const UavState& state) {
-    if (uav == uav_) executive_.HearState(state);
-    else executive_.HearTeammate(uav, state);
+    if (uav == uav_)
+      executive_.HearState(state);
+    else
+      executive_.HearTeammate(uav, state);
   });
   Hear(*trajectories_, channels::kTrajectory, [this](int uav, const Trajectory& trajectory) {
     if (uav != uav_) executive_.HearTeammate(uav, trajectory);

@@ -14,8 +14,9 @@
 
 namespace citrine {
 
-/// Flies one UAV: hears its path, scans and state, the fleet's trajectories and the map; says UAV<i>_TRAJECTORY on event
-/// and at 2 Hz, UAV<i>_FLIGHT_STATUS on change and at 5 Hz. What it decides is planner/safety's.
+/// Flies one UAV: hears its path, scans and state, the fleet's trajectories and the map; says
+/// UAV<i>_TRAJECTORY on event and at 2 Hz, UAV<i>_FLIGHT_STATUS on change and at 5 Hz. What it decides is
+/// planner/safety's.
 class TrajectorySmootherModule : public Module {
  public:
   static constexpr const char* kName = "trajectory_smoother";

@@ -26,14 +26,16 @@ std::optional<std::string> MissionEnd::At(Utime now) {
       quiet_since_ = now;
       version_to_agree_on_ = NewestMap();
     }
-    if (now - *quiet_since_ >= FromSeconds(kQuiet_s) && OldestVersion() >= version_to_agree_on_) return "surface_complete";
+    if (now - *quiet_since_ >= FromSeconds(kQuiet_s) && OldestVersion() >= version_to_agree_on_)
+      return "surface_complete";
   }
   if (now >= time_limit_) return "time_limit";
   return std::nullopt;
 }
 
 bool MissionEnd::AllSayNoViewLeft() const {
-  return std::all_of(verdicts_.begin(), verdicts_.end(), [](const Verdict& verdict) { return verdict.no_view_left; });
+  return std::all_of(verdicts_.begin(), verdicts_.end(),
+                     [](const Verdict& verdict) { return verdict.no_view_left; });
 }
 
 std::int64_t MissionEnd::NewestMap() const {

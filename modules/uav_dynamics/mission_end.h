@@ -10,9 +10,10 @@
 
 namespace citrine {
 
-/// When a mission ends (design, section 4): every planner says `no_view_left`, has gone on saying so for kQuiet_s, and
-/// says it of the map as it was when the last of them joined in, or of a later one; or the time limit is reached.
-/// Versions with the same digest are the same map: where nothing new is seen, nobody has to look again.
+/// When a mission ends (design, section 4): every planner says `no_view_left`, has gone on saying so for
+/// kQuiet_s, and says it of the map as it was when the last of them joined in, or of a later one; or the time
+/// limit is reached. Versions with the same digest are the same map: where nothing new is seen, nobody has to
+/// look again.
 class MissionEnd {
  public:
   static constexpr double kQuiet_s = 2.0;
@@ -24,7 +25,8 @@ class MissionEnd {
   /// What the base station said of its map.
   void HearMap(std::int64_t map_version, std::uint64_t digest);
 
-  /// Called once a step, with time going forward. @return "surface_complete", "time_limit", or nothing while it goes on
+  /// Called once a step, with time going forward. @return "surface_complete", "time_limit", or nothing while
+  /// it goes on
   std::optional<std::string> At(Utime now);
 
  private:
@@ -40,7 +42,7 @@ class MissionEnd {
   std::int64_t FirstLike(std::int64_t map_version) const;
 
   Utime time_limit_;
-  std::vector<Verdict> verdicts_;          ///< by UAV id - 1
+  std::vector<Verdict> verdicts_;                 ///< by UAV id - 1
   std::int64_t map_version_ = 0, map_since_ = 0;  ///< newest version heard, and the first with its digest
   std::uint64_t map_digest_ = 0;
   std::optional<Utime> quiet_since_;

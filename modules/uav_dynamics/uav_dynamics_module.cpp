@@ -20,8 +20,8 @@ constexpr std::uint64_t kLocalisationStream = 0x700;  // streams of the mission'
 sim::FleetSimulator FleetOf(const MissionConfig& config) {
   const MissionSection& mission = config.mission;
   if (static_cast<int>(mission.spawns_m.size()) != mission.uavs) {
-    throw ConfigError("mission.spawns_m has " + std::to_string(mission.spawns_m.size()) + " places for mission.uavs = " +
-                      std::to_string(mission.uavs) + "; one a UAV is needed");
+    throw ConfigError("mission.spawns_m has " + std::to_string(mission.spawns_m.size()) +
+                      " places for mission.uavs = " + std::to_string(mission.uavs) + "; one a UAV is needed");
   }
   return {sim::LoadWorld(mission.world).mesh, mission.spawns_m, config.uav, config.dynamics,
           static_cast<std::uint64_t>(mission.seed)};
@@ -40,7 +40,8 @@ UavDynamicsModule::UavDynamicsModule(const ModuleContext& context)
       fleet_statuses_(bus_.HearAll(channels::kFleetStatus)),
       map_summaries_(bus_.Hear(channels::kMapSummary)) {
   for (int i = 0; i < fleet_.uavs(); ++i) {
-    localisation_.emplace_back(static_cast<std::uint64_t>(context.config.mission.seed), kLocalisationStream + i);
+    localisation_.emplace_back(static_cast<std::uint64_t>(context.config.mission.seed),
+                               kLocalisationStream + i);
   }
 }
 

@@ -17,20 +17,24 @@
 
 namespace citrine {
 
-/// The fleet's bodies: hears UAV<i>_TRAJECTORY, says UAV<i>_STATE in every step, and knows when the mission is over.
+/// The fleet's bodies: hears UAV<i>_TRAJECTORY, says UAV<i>_STATE in every step, and knows when the mission
+/// is over.
 class UavDynamicsModule : public Module {
  public:
   static constexpr const char* kName = "uav_dynamics";
-  static constexpr const char* kSummary = "simulates the UAVs in the Open Dynamics Engine and ends the mission";
+  static constexpr const char* kSummary =
+      "simulates the UAVs in the Open Dynamics Engine and ends the mission";
   static constexpr bool kHearsMap = false;
   static constexpr bool kPerUav = false;
 
-  /// @throws ConfigError unless mission.spawns_m names one place a UAV; sim::WorldError for a world that cannot be used
+  /// @throws ConfigError unless mission.spawns_m names one place a UAV; sim::WorldError for a world that
+  /// cannot be used
   explicit UavDynamicsModule(const ModuleContext& context);
 
   void Tick(const Step& step) override;
 
-  /// Why the mission is over, "surface_complete" or "time_limit"; nothing while it goes on. It stays once said.
+  /// Why the mission is over, "surface_complete" or "time_limit"; nothing while it goes on. It stays once
+  /// said.
   const std::optional<std::string>& stop_reason() const { return stop_reason_; }
 
  private:

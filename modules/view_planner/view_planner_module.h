@@ -11,8 +11,8 @@
 
 namespace citrine {
 
-/// One UAV's planner on the bus: hears the fleet, the map and its own flight; says its status, the path to the view that
-/// it has chosen, and corrections of the fleet's balance.
+/// One UAV's planner on the bus: hears the fleet, the map and its own flight; says its status, the path to
+/// the view that it has chosen, and corrections of the fleet's balance.
 class ViewPlannerModule : public Module {
  public:
   static constexpr const char* kName = "view_planner";

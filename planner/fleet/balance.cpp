@@ -5,7 +5,8 @@ namespace citrine::planner {
 int VoronoiCell(const Eigen::Vector3d& p_W, const std::vector<Eigen::Vector3d>& generators_W) {
   int nearest = 0;
   for (std::size_t i = 1; i < generators_W.size(); ++i)
-    if ((p_W - generators_W[i]).squaredNorm() < (p_W - generators_W[nearest]).squaredNorm()) nearest = static_cast<int>(i);
+    if ((p_W - generators_W[i]).squaredNorm() < (p_W - generators_W[nearest]).squaredNorm())
+      nearest = static_cast<int>(i);
   return nearest;
 }
 

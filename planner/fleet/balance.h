@@ -16,10 +16,12 @@ std::vector<int> VoronoiShares(const std::vector<Eigen::Vector3d>& points_W,
 /// f_r of eq. (13): half the sum of squared deviations from equal shares.
 double Imbalance(const std::vector<int>& shares);
 
-/// f_min of eq. (15) with Delta = |ASE| / (N (N + 1)): what one UAV with a share of |ASE| / (N + 1) amounts to at least.
+/// f_min of eq. (15) with Delta = |ASE| / (N (N + 1)): what one UAV with a share of |ASE| / (N + 1) amounts
+/// to at least.
 double ImbalanceThreshold(int elements, int uavs);
 
-/// Whether the fleet is to be balanced: f_r > f_min; never for one UAV or fewer than 4 elements a UAV (design, section 6).
+/// Whether the fleet is to be balanced: f_r > f_min; never for one UAV or fewer than 4 elements a UAV
+/// (design, section 6).
 bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, const std::vector<Eigen::Vector3d>& uavs_W);
 
 }  // namespace citrine::planner

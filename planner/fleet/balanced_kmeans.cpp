@@ -15,10 +15,11 @@ namespace citrine::planner {
 namespace {
 
 constexpr int kRoundsMax = 50;
-constexpr double kMustFill = 1e12;  ///< reward of a cluster's place that has to be taken; above any distance squared
+constexpr double kMustFill =
+    1e12;  ///< reward of a cluster's place that has to be taken; above any distance squared
 
-/// Successive shortest paths over the k clusters. Moving an element from cluster a to b costs what the point does that
-/// loses least by it; a heap for each pair keeps these.
+/// Successive shortest paths over the k clusters. Moving an element from cluster a to b costs what the point
+/// does that loses least by it; a heap for each pair keeps these.
 class Flow {
  public:
   Flow(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W)
@@ -48,7 +49,9 @@ class Flow {
   struct Move {
     double cost;
     int point;
-    bool operator>(const Move& other) const { return std::tie(cost, point) > std::tie(other.cost, other.point); }
+    bool operator>(const Move& other) const {
+      return std::tie(cost, point) > std::tie(other.cost, other.point);
+    }
   };
   using Heap = std::priority_queue<Move, std::vector<Move>, std::greater<>>;
 
@@ -100,7 +103,8 @@ class Flow {
       if (total < best) best = total, end = j;
     }
     int amount = std::min(count, Room(end));
-    for (int b = end; from[b] >= 0; b = from[b]) amount = std::min(amount, share_[Cheapest(from[b], b)->point][from[b]]);
+    for (int b = end; from[b] >= 0; b = from[b])
+      amount = std::min(amount, share_[Cheapest(from[b], b)->point][from[b]]);
     // All moves are read before the first is made.
     std::vector<std::array<int, 3>> moves;
     int first = end;
@@ -129,13 +133,15 @@ std::vector<Eigen::Vector3d> Centroids(const std::vector<WeightedPoint>& points,
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < k; ++j) centroids[j] += clusters.share[i][j] * points[i].p_W;
   for (std::size_t j = 0; j < k; ++j)
-    centroids[j] = clusters.size[j] > 0 ? Eigen::Vector3d(centroids[j] / clusters.size[j]) : clusters.centroid_W[j];
+    centroids[j] =
+        clusters.size[j] > 0 ? Eigen::Vector3d(centroids[j] / clusters.size[j]) : clusters.centroid_W[j];
   return centroids;
 }
 
 }  // namespace
 
-Clusters DivideEqually(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W) {
+Clusters DivideEqually(const std::vector<WeightedPoint>& points,
+                       const std::vector<Eigen::Vector3d>& centroids_W) {
   const Flow flow(points, centroids_W);
   return {centroids_W, flow.share(), flow.size(), flow.Cost(), 0};
 }

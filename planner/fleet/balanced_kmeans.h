@@ -22,11 +22,14 @@ struct Clusters {
   int iterations = 0;
 };
 
-/// The cheapest division of elements among centroids whose sizes differ by at most one: an exact minimum cost flow.
-Clusters DivideEqually(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W);
+/// The cheapest division of elements among centroids whose sizes differ by at most one: an exact minimum cost
+/// flow.
+Clusters DivideEqually(const std::vector<WeightedPoint>& points,
+                       const std::vector<Eigen::Vector3d>& centroids_W);
 
-/// Regularised k-means in its hard form (paper, IV-C, after Lin et al. 2019): k clusters whose sizes differ by at most one
-/// element. Begins at k distinct points drawn by `seed`; ends when no division changes, at the latest after 50 rounds.
+/// Regularised k-means in its hard form (paper, IV-C, after Lin et al. 2019): k clusters whose sizes differ
+/// by at most one element. Begins at k distinct points drawn by `seed`; ends when no division changes, at the
+/// latest after 50 rounds.
 /// @param points at least k
 Clusters BalancedKmeans(const std::vector<WeightedPoint>& points, int k, std::uint64_t seed);
 

@@ -15,28 +15,29 @@ namespace citrine::planner {
 /// What the protocol needs to know of another UAV.
 struct TeamMate {
   int uav = 0;
-  bool alive = false;          ///< spoke within 3 s
+  bool alive = false;  ///< spoke within 3 s
   bool replanning = false;
   std::int64_t plan_id = 0;
   int selections_left = 0;
 };
 
-/// One UAV's side of the imbalance correction (paper, IV-C): who may begin one, which one holds, when it is over.
+/// One UAV's side of the imbalance correction (paper, IV-C): who may begin one, which one holds, when it is
+/// over.
 ///
 ///   state     | what happens                               | next     | said
 ///   ----------+--------------------------------------------+----------+------------------------------------------
 ///   resting   | imbalance at a trigger, MayBegin()         | claiming | FLEET_STATUS replanning = true
 ///   claiming  | a living mate with a lower id claims too   | resting  | replanning = false
 ///   claiming  | an assignment of another arrives           | resting* | replanning = false
-///   claiming  | the decision is due, still out of balance  | holding* | FLEET_ASSIGNMENT, replanning stays true
-///   claiming  | the decision is due, balance has returned  | resting  | replanning = false
-///   holding   | every living mate made its k selections    | resting  | replanning = false
-///   holding   | the assignment expired (20 s)              | resting  | replanning = false
+///   claiming  | the decision is due, still out of balance  | holding* | FLEET_ASSIGNMENT, replanning stays
+///   true claiming  | the decision is due, balance has returned  | resting  | replanning = false holding   |
+///   every living mate made its k selections    | resting  | replanning = false holding   | the assignment
+///   expired (20 s)              | resting  | replanning = false
 ///
-/// (*) and the assignment is followed for k selections or until it expires, in any state. Nobody begins while a living mate
-/// claims or holds, or while an assignment that it knows is not resolved. Of two assignments begun within 1 s the one
-/// of the lower id holds, else the newer: so all agree in whatever order they arrive. A mate silent for 3 s is planned
-/// without, and waits for nobody.
+/// (*) and the assignment is followed for k selections or until it expires, in any state. Nobody begins while
+/// a living mate claims or holds, or while an assignment that it knows is not resolved. Of two assignments
+/// begun within 1 s the one of the lower id holds, else the newer: so all agree in whatever order they
+/// arrive. A mate silent for 3 s is planned without, and waits for nobody.
 class FleetCorrection {
  public:
   static constexpr double kSilence_s = 3.0;
@@ -44,7 +45,8 @@ class FleetCorrection {
   /// Where the centroid of a UAV that is planned without lies: nothing is nearest to it.
   static Eigen::Vector3d Nowhere() { return Eigen::Vector3d::Constant(1e6); }
 
-  FleetCorrection(int uav, int selections, double expiry_s) : uav_(uav), selections_(selections), expiry_s_(expiry_s) {}
+  FleetCorrection(int uav, int selections, double expiry_s)
+      : uav_(uav), selections_(selections), expiry_s_(expiry_s) {}
 
   /// Follows mates and time; releases what is over or has to yield.
   void Update(const std::vector<TeamMate>& mates, Utime now);

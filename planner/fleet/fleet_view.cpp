@@ -31,7 +31,8 @@ std::vector<FleetView::Other> FleetView::Alive(Utime now) const {
     const Heard& heard = heard_[uav - 1];
     if (uav == uav_ || !AliveAt(heard, now)) continue;
     others.push_back({uav, heard.p_W, heard.status.has_goal, heard.status.goal_W,
-                      heard.status.activity == FleetStatus::Activity::kDeciding, heard.status.deciding_since});
+                      heard.status.activity == FleetStatus::Activity::kDeciding,
+                      heard.status.deciding_since});
   }
   return others;
 }

@@ -29,7 +29,8 @@ class FleetView {
   void Hear(int uav, const UavState& state, Utime now);
   void Hear(int uav, const FleetStatus& status, Utime now);
 
-  /// The other UAVs that spoke within 3 s, in order of id; where one has not said a status its state stands in.
+  /// The other UAVs that spoke within 3 s, in order of id; where one has not said a status its state stands
+  /// in.
   std::vector<Other> Alive(Utime now) const;
   /// All others, for the correction's protocol.
   std::vector<TeamMate> Mates(Utime now) const;

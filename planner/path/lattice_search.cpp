@@ -30,7 +30,8 @@ std::uint32_t LatticeSearch::NodeOf(const VoxelIndex& v) const {
 
 VoxelIndex LatticeSearch::VoxelOf(std::uint32_t node) const {
   const int n = static_cast<int>(node);
-  return stride_ * VoxelIndex(n % size_.x(), n / size_.x() % size_.y(), n / (size_.x() * size_.y())) + offset_;
+  return stride_ * VoxelIndex(n % size_.x(), n / size_.x() % size_.y(), n / (size_.x() * size_.y())) +
+         offset_;
 }
 
 std::uint32_t LatticeSearch::Heuristic(const VoxelIndex& v, const VoxelIndex& to) const {

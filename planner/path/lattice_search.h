@@ -7,18 +7,22 @@
 
 namespace citrine::planner {
 
-/// A* over every `stride`-th voxel with 26 neighbours and the exact distance of an empty lattice as its heuristic.
-/// Integer costs and a total order of the open list: the same way on every machine. Arrays are reused between calls.
+/// A* over every `stride`-th voxel with 26 neighbours and the exact distance of an empty lattice as its
+/// heuristic. Integer costs and a total order of the open list: the same way on every machine. Arrays are
+/// reused between calls.
 class LatticeSearch {
  public:
   LatticeSearch(const VoxelGrid& grid, int stride);
 
-  /// @param cost (voxel, linear) -> 0: closed, else what a step into it costs relative to `kUnitCost`. Also asked halfway
+  /// @param cost (voxel, linear) -> 0: closed, else what a step into it costs relative to `kUnitCost`. Also
+  /// asked halfway
   ///        between nodes if the stride is even.
   /// @param tolerance_vox the goal is met within this many voxels along every axis
-  /// @return the nodes from `from` to the goal; empty: there is no way, or none was found in `closed_max` nodes
+  /// @return the nodes from `from` to the goal; empty: there is no way, or none was found in `closed_max`
+  /// nodes
   template <class Cost>
-  std::vector<VoxelIndex> Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox, int closed_max, Cost&& cost);
+  std::vector<VoxelIndex> Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox,
+                               int closed_max, Cost&& cost);
 
   static constexpr std::uint32_t kUnitCost = 4;
 
@@ -27,9 +31,9 @@ class LatticeSearch {
     std::uint32_t estimate, travelled, node;
   };
   struct Node {
-    std::uint32_t round = 0;      ///< of the search that wrote it
+    std::uint32_t round = 0;  ///< of the search that wrote it
     std::uint32_t travelled = 0;
-    std::int8_t from = -1;        ///< index into kN26 of the step that led here, -1 at the start
+    std::int8_t from = -1;  ///< index into kN26 of the step that led here, -1 at the start
     bool closed = false;
   };
 

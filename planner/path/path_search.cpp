@@ -63,7 +63,8 @@ std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen
   return path;
 }
 
-std::vector<VoxelIndex> PathSearch::WayTo(const VoxelIndex& from, const VoxelIndex& to, const std::vector<Ball>& avoid) {
+std::vector<VoxelIndex> PathSearch::WayTo(const VoxelIndex& from, const VoxelIndex& to,
+                                          const std::vector<Ball>& avoid) {
   if (!reachable_.Reaches(to)) return {};
   const SafeSpace& space = reachable_.space();
   const VoxelGrid& grid = space.map().grid();
@@ -107,8 +108,10 @@ std::vector<Eigen::Vector3d> PathSearch::Shorten(const std::vector<Eigen::Vector
   for (std::size_t here = 0; here + 1 < points_W.size();) {
     std::size_t good = here + 1, stride = 2, bad = points_W.size();
     while (here + stride < bad) {
-      if (!space.LegSafe(points_W[here], points_W[here + stride], avoid)) bad = here + stride;
-      else good = here + stride, stride *= 2;
+      if (!space.LegSafe(points_W[here], points_W[here + stride], avoid))
+        bad = here + stride;
+      else
+        good = here + stride, stride *= 2;
     }
     if (bad == points_W.size() && space.LegSafe(points_W[here], points_W.back(), avoid)) good = bad - 1;
     while (good + 1 < bad) {

@@ -17,9 +17,10 @@ class PathSearch {
   /// @param margin_m clearance to occupied space beyond the robot's radius
   PathSearch(const PlanningMap& map, const VehicleLimits& limits, double margin_m);
 
-  /// The way from a start to a goal. A start that is not safe first goes to the nearest safe place. A goal that cannot be
-  /// reached is replaced by the furthest reachable point of the best way that would be possible if unknown space were
-  /// free (Path::ends_at_goal = false). `id` and `goal_yaw_rad` are the caller's to set.
+  /// The way from a start to a goal. A start that is not safe first goes to the nearest safe place. A goal
+  /// that cannot be reached is replaced by the furthest reachable point of the best way that would be
+  /// possible if unknown space were free (Path::ends_at_goal = false). `id` and `goal_yaw_rad` are the
+  /// caller's to set.
   /// @param avoid balls that the way stays out of, such as hovering teammates
   /// @return nullopt: unreachable
   std::optional<Path> Find(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,

@@ -54,7 +54,8 @@ void ReachableSet::ReadSafeVoxels() {
         const int end = std::min(hi.x(), static_cast<int>(word) * 64 + 64);
         std::uint64_t bits = 0;
         for (int x = begin; x < end; ++x)
-          bits |= static_cast<std::uint64_t>(space_.SafeVoxel(first + static_cast<std::size_t>(x))) << (x & 63);
+          bits |= static_cast<std::uint64_t>(space_.SafeVoxel(first + static_cast<std::size_t>(x)))
+                  << (x & 63);
         safe_[row + word] = bits;
       }
     }

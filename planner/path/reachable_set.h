@@ -18,8 +18,8 @@ class ReachableSet {
  public:
   ReachableSet(const PlanningMap& map, const VehicleLimits& limits, double margin_m);
 
-  /// Brings the set up to date with the map and the place that it begins at. A start that is not safe (noise of the map)
-  /// begins at the nearest safe voxel within 3 m; without one the set is empty.
+  /// Brings the set up to date with the map and the place that it begins at. A start that is not safe (noise
+  /// of the map) begins at the nearest safe voxel within 3 m; without one the set is empty.
   void Update(const Eigen::Vector3d& from_W);
 
   bool Reaches(const VoxelIndex& v) const { return space_.map().grid().Inside(v) && ReachesInside(v); }
@@ -39,7 +39,8 @@ class ReachableSet {
 
  private:
   std::size_t Row(int y, int z) const {
-    return words_ * (static_cast<std::size_t>(y) + static_cast<std::size_t>(space_.map().grid().voxels().y()) * z);
+    return words_ *
+           (static_cast<std::size_t>(y) + static_cast<std::size_t>(space_.map().grid().voxels().y()) * z);
   }
   void ReadSafeVoxels();
   void Flood(const VoxelIndex& origin);

@@ -8,7 +8,7 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kStepMin_m = 0.06;   ///< of sphere tracing: a quarter of the paper's voxel
+constexpr double kStepMin_m = 0.06;  ///< of sphere tracing: a quarter of the paper's voxel
 constexpr double kTolerance_m = 1e-6;
 constexpr double kRoomy_m = 0.5;
 
@@ -25,12 +25,14 @@ SafeSpace::SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double
       unknown_m_(std::min(limits.radius_m, map.to_unknown().radius_m())),
       occupied_vox2_(SquaredVoxels(occupied_m_, map.grid().voxel_m())),
       unknown_vox2_(SquaredVoxels(unknown_m_, map.grid().voxel_m())),
-      roomy_vox2_(SquaredVoxels(std::min(occupied_m_ + kRoomy_m, map.to_occupied().radius_m()), map.grid().voxel_m())) {}
+      roomy_vox2_(SquaredVoxels(std::min(occupied_m_ + kRoomy_m, map.to_occupied().radius_m()),
+                                map.grid().voxel_m())) {}
 
 double SafeSpace::Slack(const Eigen::Vector3d& p_W) const {
   const double outside = map_.grid().volume_W().exteriorDistance(p_W);
   if (outside > 0) return -outside;
-  return std::min(map_.to_occupied().Interpolate(p_W) - occupied_m_, map_.to_unknown().Interpolate(p_W) - unknown_m_);
+  return std::min(map_.to_occupied().Interpolate(p_W) - occupied_m_,
+                  map_.to_unknown().Interpolate(p_W) - unknown_m_);
 }
 
 double SafeSpace::FreeRadius(const Eigen::Vector3d& p_W) const {
@@ -41,7 +43,8 @@ bool SafeSpace::LegSafe(const Eigen::Vector3d& from_W, const Eigen::Vector3d& to
                         const std::vector<Ball>& avoid) const {
   const double length = (to_W - from_W).norm();
   for (double s = 0;;) {
-    const Eigen::Vector3d p_W = length > 0 ? Eigen::Vector3d(from_W + (to_W - from_W) * (s / length)) : from_W;
+    const Eigen::Vector3d p_W =
+        length > 0 ? Eigen::Vector3d(from_W + (to_W - from_W) * (s / length)) : from_W;
     double slack = Slack(p_W);
     for (const Ball& ball : avoid) slack = std::min(slack, (p_W - ball.p_W).norm() - ball.radius_m);
     if (slack < -kTolerance_m) return false;

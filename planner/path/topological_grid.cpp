@@ -13,7 +13,8 @@ namespace citrine::planner {
 namespace {
 
 constexpr int kCellVoxels = 4;
-constexpr int kEmptyMin = 48;  ///< of a cell's 64 voxels: a thin wall closes one of the two cells that it lies in
+constexpr int kEmptyMin =
+    48;  ///< of a cell's 64 voxels: a thin wall closes one of the two cells that it lies in
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -9,14 +9,16 @@
 
 namespace citrine::planner {
 
-/// Cells of four voxels a side that are for the most part known to be free, as neighbours over faces, edges and corners: how far it is from
-/// here to there, roughly, for the assignment of a balanced fleet (paper, IV-C).
+/// Cells of four voxels a side that are for the most part known to be free, as neighbours over faces, edges
+/// and corners: how far it is from here to there, roughly, for the assignment of a balanced fleet (paper,
+/// IV-C).
 class TopologicalGrid {
  public:
   explicit TopologicalGrid(const PlanningMap& map);
 
-  /// [m] from one point to each of several, through the centres of free cells. A point in a cell that is not free
-  /// (a centroid may lie in a wall) is joined to the nearest free cell by a straight line. Infinity: not connected.
+  /// [m] from one point to each of several, through the centres of free cells. A point in a cell that is not
+  /// free (a centroid may lie in a wall) is joined to the nearest free cell by a straight line. Infinity: not
+  /// connected.
   std::vector<double> LengthsFrom(const Eigen::Vector3d& from_W, const std::vector<Eigen::Vector3d>& to_W);
 
  private:

@@ -9,19 +9,22 @@ namespace {
 
 constexpr double kReaction_s = 0.2;
 constexpr double kHorizonSpare_s = 0.5;
-constexpr double kImminent_s = 0.6;         ///< before stopping takes as long as there is
+constexpr double kImminent_s = 0.6;  ///< before stopping takes as long as there is
 constexpr Utime kSample = 50'000;
-constexpr Utime kStale = 500'000;           ///< an older scan says nothing about now
-// The map's distances are those of voxel centres: a committed way may pass that much nearer to the very surface.
+constexpr Utime kStale = 500'000;  ///< an older scan says nothing about now
+// The map's distances are those of voxel centres: a committed way may pass that much nearer to the very
+// surface.
 constexpr double kMapError_m = 0.2;
 constexpr double kNearing_m = 0.05;
 constexpr double kMoving_mps = 0.1;
-constexpr double kTeammateSize_m = 0.3;     ///< hits this far beyond the radius around a teammate are the teammate
+constexpr double kTeammateSize_m =
+    0.3;  ///< hits this far beyond the radius around a teammate are the teammate
 
 }  // namespace
 
 double CollisionGuard::BoxLength(double speed_mps) const {
-  return limits_.radius_m + speed_mps * kReaction_s + speed_mps * speed_mps / (2 * limits_.acceleration_max_mps2);
+  return limits_.radius_m + speed_mps * kReaction_s +
+         speed_mps * speed_mps / (2 * limits_.acceleration_max_mps2);
 }
 
 void CollisionGuard::HearScan(const LidarScan& scan) {
@@ -29,19 +32,21 @@ void CollisionGuard::HearScan(const LidarScan& scan) {
     model_ = scan.model;
     directions_.clear();
     for (int row = 0; row < model_.rows; ++row)
-      for (int col = 0; col < model_.cols; ++col) directions_.push_back(model_.Direction(row, col).cast<float>());
+      for (int col = 0; col < model_.cols; ++col)
+        directions_.push_back(model_.Direction(row, col).cast<float>());
   }
   measured_ = scan.measured;
   hits_W_.clear();
   const double reach_m = BoxLength(limits_.speed_max_mps) + limits_.radius_m;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const float r = scan.ranges_m[i];
-    if (r > 0 && r < reach_m) hits_W_.push_back(scan.X_WS * Eigen::Vector3d((r * directions_[i]).cast<double>()));
+    if (r > 0 && r < reach_m)
+      hits_W_.push_back(scan.X_WS * Eigen::Vector3d((r * directions_[i]).cast<double>()));
   }
 }
 
 std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
-                                              double horizon_s) const {
+                                             double horizon_s) const {
   if (measured_ < 0 || now - measured_ > kStale) return std::nullopt;
   const TrajectoryPoint here = committed.At(now);
   horizon_s = std::max(horizon_s, here.v_W.norm() / limits_.acceleration_max_mps2 + kHorizonSpare_s);
@@ -63,9 +68,10 @@ std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime 
     const Eigen::Vector3d offset = hit_W - here.p_W;
     const double along = offset.dot(ahead);
     if (along < 0 || along > length || (offset - along * ahead).norm() > limits_.radius_m) continue;
-    const bool is_teammate = std::any_of(scene.teammates.begin(), scene.teammates.end(), [&](const Teammate& other) {
-      return (other.trajectory.At(measured_).p_W - hit_W).norm() < limits_.radius_m + kTeammateSize_m;
-    });
+    const bool is_teammate =
+        std::any_of(scene.teammates.begin(), scene.teammates.end(), [&](const Teammate& other) {
+          return (other.trajectory.At(measured_).p_W - hit_W).norm() < limits_.radius_m + kTeammateSize_m;
+        });
     if (is_teammate) continue;
     const double asked = std::min(limits_.radius_m - kMapError_m, offset.norm() - kNearing_m);
     for (std::size_t i = 0; i < way_W.size(); ++i) {

@@ -15,12 +15,13 @@ namespace citrine::planner {
 struct GuardVerdict {
   enum class Action { kOk, kBrake, kYield };
   Action action = Action::kOk;
-  Utime at = 0;         ///< when it would happen
+  Utime at = 0;  ///< when it would happen
   std::string why;
 };
 
-/// The 20 Hz collision checker (paper, IV-E): a box in the direction of travel, its length proportional to what speed asks
-/// for stopping, against the newest scan; and the teammates' committed trajectories, compared in time.
+/// The 20 Hz collision checker (paper, IV-E): a box in the direction of travel, its length proportional to
+/// what speed asks for stopping, against the newest scan; and the teammates' committed trajectories, compared
+/// in time.
 class CollisionGuard {
  public:
   CollisionGuard(int uav, const VehicleLimits& limits) : uav_(uav), limits_(limits) {}
@@ -30,13 +31,14 @@ class CollisionGuard {
 
   GuardVerdict Check(const Trajectory& committed, Utime now, const FlightScene& scene) const;
 
-  /// When a trajectory would come too close to a hit in the box. nullopt: it does not within the horizon, or not before
-  /// it could stop if that is longer
+  /// When a trajectory would come too close to a hit in the box. nullopt: it does not within the horizon, or
+  /// not before it could stop if that is longer
   std::optional<Utime> FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
                                double horizon_s = 1.5) const;
-  /// Conflicts that this UAV has to solve: with a lower id, with one that stands still and cannot, or one that nobody has
-  /// solved in time.
-  std::optional<Violation> FindConflictToSolve(const Trajectory& committed, Utime now, const FlightScene& scene) const;
+  /// Conflicts that this UAV has to solve: with a lower id, with one that stands still and cannot, or one
+  /// that nobody has solved in time.
+  std::optional<Violation> FindConflictToSolve(const Trajectory& committed, Utime now,
+                                               const FlightScene& scene) const;
 
   /// [m] length of the box at a speed: radius + reaction + stopping distance.
   double BoxLength(double speed_mps) const;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kReached_m = 0.25;
 constexpr Utime kRetry = 500'000;
-constexpr Utime kPatience = 2'000'000;   ///< at rest short of the path's end
-constexpr double kCommitHorizon_s = 6;   ///< in which a new trajectory must stay clear of the newest scan
+constexpr Utime kPatience = 2'000'000;  ///< at rest short of the path's end
+constexpr double kCommitHorizon_s = 6;  ///< in which a new trajectory must stay clear of the newest scan
 constexpr int kFailuresMax = 3;
 constexpr Utime kSample = 50'000;
 constexpr double kClearer_m = 0.01;
@@ -45,8 +45,10 @@ void FlightExecutive::HearTeammate(int uav, const Trajectory& trajectory) {
   if (uav == settings_.uav || trajectory.segments.empty()) return;
   const auto known = std::find_if(scene_.teammates.begin(), scene_.teammates.end(),
                                   [uav](const Teammate& teammate) { return teammate.uav >= uav; });
-  if (known == scene_.teammates.end() || known->uav != uav) scene_.teammates.insert(known, {uav, trajectory});
-  else if (trajectory.id > known->trajectory.id) known->trajectory = trajectory;
+  if (known == scene_.teammates.end() || known->uav != uav)
+    scene_.teammates.insert(known, {uav, trajectory});
+  else if (trajectory.id > known->trajectory.id)
+    known->trajectory = trajectory;
 }
 
 void FlightExecutive::HearTeammate(int uav, const UavState& state) {
@@ -63,8 +65,10 @@ void FlightExecutive::Act(Utime now, bool map_changed) {
     blocked_ = false;
     waiting_since_ = -1;
     reason_.clear();
-    if (path_.waypoints.empty()) Brake(now, "told to stop");
-    else if (!Replan(now)) CountFailure(now);
+    if (path_.waypoints.empty())
+      Brake(now, "told to stop");
+    else if (!Replan(now))
+      CountFailure(now);
   }
   if (map_changed && !AtRest(now))
     if (const auto violation = FindMapViolation(*committed_, now, scene_)) React(now, violation->Reason());
@@ -77,8 +81,11 @@ void FlightExecutive::Act(Utime now, bool map_changed) {
 
 bool FlightExecutive::Replan(Utime now) {
   planned_ = true;
-  const FlightPlanner::Task task{*committed_, now, now + FromSeconds(settings_.replan_ahead_s), path_, scene_};
-  const auto accept = [&](const Trajectory& found) { return !guard_.FindHit(found, task.at, scene_, kCommitHorizon_s); };
+  const FlightPlanner::Task task{*committed_, now, now + FromSeconds(settings_.replan_ahead_s), path_,
+                                 scene_};
+  const auto accept = [&](const Trajectory& found) {
+    return !guard_.FindHit(found, task.at, scene_, kCommitHorizon_s);
+  };
   std::optional<Trajectory> found = planner_.Plan(task, accept, &reason_);
   if (!found) return false;
   Commit(std::move(*found), false);
@@ -137,7 +144,8 @@ double FlightExecutive::LeastClearance(const Trajectory& trajectory, Utime from)
   double least_m = 1e9;
   for (Utime t = from; t < trajectory.end() + kSample; t += kSample) {
     const Eigen::Vector3d p_W = trajectory.At(t).p_W;
-    least_m = std::min({least_m, scene_.map->to_occupied().Interpolate(p_W), scene_.map->to_unknown().Interpolate(p_W)});
+    least_m = std::min(
+        {least_m, scene_.map->to_occupied().Interpolate(p_W), scene_.map->to_unknown().Interpolate(p_W)});
     for (const Teammate& teammate : scene_.teammates)
       least_m = std::min(least_m, (teammate.trajectory.At(t).p_W - p_W).norm() - settings_.limits.radius_m);
   }
@@ -171,10 +179,14 @@ FlightStatus FlightExecutive::Status(Utime now) const {
   if (!committed_) return status;
   using Phase = FlightStatus::Phase;
   const bool asked = has_path_ && !path_.waypoints.empty();
-  if (asked && PathFinished(now)) status.phase = Phase::kReached;
-  else if (asked && blocked_) status.phase = Phase::kBlocked;
-  else if (braking_ && !AtRest(now)) status.phase = Phase::kBraking;
-  else if (asked) status.phase = Phase::kTracking;
+  if (asked && PathFinished(now))
+    status.phase = Phase::kReached;
+  else if (asked && blocked_)
+    status.phase = Phase::kBlocked;
+  else if (braking_ && !AtRest(now))
+    status.phase = Phase::kBraking;
+  else if (asked)
+    status.phase = Phase::kTracking;
   if (status.phase == Phase::kBraking || status.phase == Phase::kBlocked) status.reason = reason_;
   status.trajectory_id = committed_->id;
   status.failures = failures_;

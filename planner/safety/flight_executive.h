@@ -23,22 +23,24 @@ struct FlightSettings {
   double guard_hz = 20;
 };
 
-/// Flies one UAV: keeps one committed trajectory that always ends at rest in known free space, and replaces it only by
-/// another such one that continues it exactly. Nouns in, nouns out: Hear...() what arrives, then Act() once a step.
+/// Flies one UAV: keeps one committed trajectory that always ends at rest in known free space, and replaces
+/// it only by another such one that continues it exactly. Nouns in, nouns out: Hear...() what arrives, then
+/// Act() once a step.
 ///
-/// A new path is smoothed at once, without stopping between goals. What is committed is checked again when the map
-/// changes and by the guard; if it is no longer good: another trajectory to the same goal, else brake along it, else brake
-/// straight. A path that cannot be flown is tried again every half second and reported kBlocked after three failures.
+/// A new path is smoothed at once, without stopping between goals. What is committed is checked again when
+/// the map changes and by the guard; if it is no longer good: another trajectory to the same goal, else brake
+/// along it, else brake straight. A path that cannot be flown is tried again every half second and reported
+/// kBlocked after three failures.
 class FlightExecutive {
  public:
   /// @param map outlives it
   FlightExecutive(const FlightSettings& settings, const PlanningMap& map, SolveMotion solve);
 
-  void HearPath(const Path& path);                               ///< the newest; an id that is known is ignored
-  void HearState(const UavState& state);                         ///< its own; the first says where it hovers
+  void HearPath(const Path& path);        ///< the newest; an id that is known is ignored
+  void HearState(const UavState& state);  ///< its own; the first says where it hovers
   void HearScan(const LidarScan& scan) { guard_.HearScan(scan); }
-  void HearTeammate(int uav, const Trajectory& trajectory);      ///< its committed one
-  void HearTeammate(int uav, const UavState& state);             ///< where it hovers, until its trajectory is known
+  void HearTeammate(int uav, const Trajectory& trajectory);  ///< its committed one
+  void HearTeammate(int uav, const UavState& state);  ///< where it hovers, until its trajectory is known
 
   /// @param map_changed whether the map has changed since the last call
   void Act(Utime now, bool map_changed);
@@ -68,8 +70,8 @@ class FlightExecutive {
   FlightScene scene_;
   Every guard_due_;
   std::optional<Trajectory> committed_;
-  bool braking_ = false;      ///< the committed trajectory is a brake
-  Path path_;                 ///< the newest
+  bool braking_ = false;  ///< the committed trajectory is a brake
+  Path path_;             ///< the newest
   bool path_is_new_ = false;
   bool has_path_ = false;
   int failures_ = 0;

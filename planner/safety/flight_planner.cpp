@@ -14,7 +14,7 @@ namespace {
 constexpr int kSolvesMax = 3;
 constexpr double kHeavier = 10;
 constexpr double kShortest_m = 0.02;
-constexpr double kStill = 1e-3;             ///< [m/s, m/s^2]
+constexpr double kStill = 1e-3;  ///< [m/s, m/s^2]
 constexpr double kHoverRoom_m = 0.1;
 // A rest-to-rest quintic's peak speed and acceleration, relative to L/T and L/T^2.
 constexpr double kQuinticSpeed = 1.875, kQuinticAcceleration = 5.7735;
@@ -31,9 +31,15 @@ std::vector<Ball> Standing(const FlightScene& scene, Utime now) {
 void WeighMore(Violation::Kind violated, FlightWeights* weights) {
   switch (violated) {
     case Violation::Kind::kSpeed:
-    case Violation::Kind::kAcceleration: weights->limits *= kHeavier; break;
-    case Violation::Kind::kTeammate: weights->teammates *= kHeavier; break;
-    default: weights->clearance *= kHeavier; break;
+    case Violation::Kind::kAcceleration:
+      weights->limits *= kHeavier;
+      break;
+    case Violation::Kind::kTeammate:
+      weights->teammates *= kHeavier;
+      break;
+    default:
+      weights->clearance *= kHeavier;
+      break;
   }
 }
 
@@ -41,9 +47,13 @@ void WeighMore(Violation::Kind violated, FlightWeights* weights) {
 
 FlightPlanner::FlightPlanner(const PlanningMap& map, const VehicleLimits& limits, double path_margin_m,
                              const FlightWeights& weights, SolveMotion solve)
-    : search_(map, limits, path_margin_m), space_(map, limits, 0), weights_(weights), solve_(std::move(solve)) {}
+    : search_(map, limits, path_margin_m),
+      space_(map, limits, 0),
+      weights_(weights),
+      solve_(std::move(solve)) {}
 
-std::optional<Trajectory> FlightPlanner::Plan(const Task& task, const std::function<bool(const Trajectory&)>& accept,
+std::optional<Trajectory> FlightPlanner::Plan(const Task& task,
+                                              const std::function<bool(const Trajectory&)>& accept,
                                               std::string* why) {
   const TrajectoryPoint start = task.flown.At(task.at);
   const auto accepted = [&](const std::optional<Trajectory>& found) {
@@ -85,7 +95,8 @@ FlightPlanner::Points FlightPlanner::FindAnew(const Task& task, const Eigen::Vec
   return points_W;
 }
 
-std::optional<Trajectory> FlightPlanner::Smooth(const Task& task, const Points& points_W, std::string* why) const {
+std::optional<Trajectory> FlightPlanner::Smooth(const Task& task, const Points& points_W,
+                                                std::string* why) const {
   const TrajectoryPoint start = task.flown.At(task.at);
   if (points_W.size() < 2) return std::nullopt;
   SmoothingTask smoothing{{start.p_W, start.v_W, start.a_W}, task.at, points_W};
@@ -104,16 +115,17 @@ std::optional<Trajectory> FlightPlanner::Smooth(const Task& task, const Points& 
   return std::nullopt;
 }
 
-std::optional<Trajectory> FlightPlanner::FlyLegs(const Task& task, const Points& points_W, std::string* why) const {
+std::optional<Trajectory> FlightPlanner::FlyLegs(const Task& task, const Points& points_W,
+                                                 std::string* why) const {
   std::vector<TrajectorySegment> legs;
   std::optional<Trajectory> furthest;
   for (std::size_t i = 0; i + 1 < points_W.size(); ++i) {
     const double length = (points_W[i + 1] - points_W[i]).norm();
     if (length < kShortest_m) continue;
     const VehicleLimits& limits = task.scene.limits;
-    const double duration_s =
-        std::max(kQuinticSpeed * length / (kPlannedSpeed * limits.speed_max_mps),
-                 std::sqrt(kQuinticAcceleration * length / (kPlannedAcceleration * limits.acceleration_max_mps2)));
+    const double duration_s = std::max(
+        kQuinticSpeed * length / (kPlannedSpeed * limits.speed_max_mps),
+        std::sqrt(kQuinticAcceleration * length / (kPlannedAcceleration * limits.acceleration_max_mps2)));
     Knot from, to;
     from.p = legs.empty() ? task.flown.At(task.at).p_W : points_W[i];
     to.p = points_W[i + 1];

@@ -13,15 +13,16 @@
 namespace citrine::planner {
 
 /// Smoother::Solve, or what stands in for it: the wire measures it, tests make it fail.
-using SolveMotion = std::function<SmoothingResult(const FlightScene&, const FlightWeights&, const SmoothingTask&,
-                                                  const SmoothingResult* warm)>;
+using SolveMotion = std::function<SmoothingResult(const FlightScene&, const FlightWeights&,
+                                                  const SmoothingTask&, const SmoothingResult* warm)>;
 
-/// From a path to a checked trajectory, by a ladder: smooth the path; the same with what was violated weighing more; smooth
-/// a way found anew around what stands there; and from a standing start, straight legs from rest to rest.
+/// From a path to a checked trajectory, by a ladder: smooth the path; the same with what was violated
+/// weighing more; smooth a way found anew around what stands there; and from a standing start, straight legs
+/// from rest to rest.
 class FlightPlanner {
  public:
-  FlightPlanner(const PlanningMap& map, const VehicleLimits& limits, double path_margin_m, const FlightWeights& weights,
-                SolveMotion solve);
+  FlightPlanner(const PlanningMap& map, const VehicleLimits& limits, double path_margin_m,
+                const FlightWeights& weights, SolveMotion solve);
 
   /// What is asked: leave `flown` at `at` and come to rest at the path's end.
   struct Task {
@@ -33,12 +34,14 @@ class FlightPlanner {
 
   /// @param accept a last word on a trajectory that passed every check; may be null
   /// @return the trajectory from `now` on, `flown` until `at`; nullopt: there is none, `why` tells
-  std::optional<Trajectory> Plan(const Task& task, const std::function<bool(const Trajectory&)>& accept, std::string* why);
+  std::optional<Trajectory> Plan(const Task& task, const std::function<bool(const Trajectory&)>& accept,
+                                 std::string* why);
 
  private:
   using Points = std::vector<Eigen::Vector3d>;
 
-  /// The path's points from a start on, without those that need not be visited; empty: no point can be seen from there.
+  /// The path's points from a start on, without those that need not be visited; empty: no point can be seen
+  /// from there.
   Points Join(const Path& path, const Eigen::Vector3d& start_W) const;
   Points FindAnew(const Task& task, const Eigen::Vector3d& start_W);
   std::optional<Trajectory> Smooth(const Task& task, const Points& points_W, std::string* why) const;

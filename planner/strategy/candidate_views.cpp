@@ -6,7 +6,8 @@ namespace {
 
 enum class Found { kView, kNothing, kUntested };
 
-/// Beyond the paper's samples: the view that helped last time, the fan, the lattice; each as far as time allows.
+/// Beyond the paper's samples: the view that helped last time, the fan, the lattice; each as far as time
+/// allows.
 Found LookFurther(const PlanningMap& map, const Element& element, const ViewGenerator& generator,
                   SearchBudget& budget, ElementMemory& memory, std::optional<View>& view) {
   if (const View* last = memory.Fallback(element.linear); last && generator.Holds(*last, element)) {

@@ -19,8 +19,8 @@ struct SearchBudget {
   int lattices = 40;
 };
 
-/// A view for every element, or for every group of like elements (design, section 6). Elements for which neither the
-/// normal nor the fan nor the whole lattice yields a view are remembered as unreachable.
+/// A view for every element, or for every group of like elements (design, section 6). Elements for which
+/// neither the normal nor the fan nor the whole lattice yields a view are remembered as unreachable.
 Candidates MakeCandidates(const PlanningMap& map, const std::vector<Element>& elements,
                           const ViewGenerator& generator, bool per_cell, const Eigen::Vector3d& uav_W,
                           SearchBudget budget, ElementMemory& memory);

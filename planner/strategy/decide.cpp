@@ -8,30 +8,31 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kGroup_m = 0.75;         ///< elements this near to a view's own share it (a cell of 3 voxels)
-constexpr double kGoalsApart_m = 0.5;     ///< beyond two radii
+constexpr double kGroup_m = 0.75;      ///< elements this near to a view's own share it (a cell of 3 voxels)
+constexpr double kGoalsApart_m = 0.5;  ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
-constexpr double kStandOff_s = 3.0;       ///< until a view that an idle mate stands by is asked for again
-constexpr double kHopsOn = 2.0;           ///< hops within which the surface to be seen is taken to go on
-constexpr double kWarmUp_s = 3.0;         ///< before it the map is too young to say that nothing is left
+constexpr double kStandOff_s = 3.0;  ///< until a view that an idle mate stands by is asked for again
+constexpr double kHopsOn = 2.0;      ///< hops within which the surface to be seen is taken to go on
+constexpr double kWarmUp_s = 3.0;    ///< before it the map is too young to say that nothing is left
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
 }  // namespace
 
 /// What a decision sees.
 struct ViewPlanner::Prospect {
-  std::vector<Element> elements;          ///< active, and not as good as seen
-  bool some_taken = false;                ///< others are about to be seen, by this UAV or a mate
+  std::vector<Element> elements;  ///< active, and not as good as seen
+  bool some_taken = false;        ///< others are about to be seen, by this UAV or a mate
   Candidates candidates;
-  std::vector<View> views;                ///< candidates that may be flown to at present
+  std::vector<View> views;  ///< candidates that may be flown to at present
   std::vector<FleetView::Other> others;
 };
 
 ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
   const TrajectoryPoint start = Ahead(now);
   reachable_.Update(start.p_W);
-  blocked_.erase(std::remove_if(blocked_.begin(), blocked_.end(), [&](const Blocked& b) { return b.until <= now; }),
-                 blocked_.end());
+  blocked_.erase(
+      std::remove_if(blocked_.begin(), blocked_.end(), [&](const Blocked& b) { return b.until <= now; }),
+      blocked_.end());
   last_decision_ = now;
   decided_on_ = map_.revision();
   decided_version_ = map_version;
@@ -74,7 +75,9 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const TrajectoryPoint& start, Utim
     taken.insert(taken.end(), seen.begin(), seen.end());
   }
   std::sort(taken.begin(), taken.end());
-  const auto is_taken = [&](const Element& e) { return std::binary_search(taken.begin(), taken.end(), e.linear); };
+  const auto is_taken = [&](const Element& e) {
+    return std::binary_search(taken.begin(), taken.end(), e.linear);
+  };
   const auto kept = std::remove_if(prospect.elements.begin(), prospect.elements.end(), is_taken);
   prospect.some_taken = kept != prospect.elements.end();
   prospect.elements.erase(kept, prospect.elements.end());
@@ -98,7 +101,8 @@ void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d&
   if (goes_on) std::erase_if(views, [&](const View& view) { return distance_m(view) < hop_m; });
 }
 
-void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now) {
+void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal,
+                               Utime now) {
   std::vector<std::uint32_t> seen = WellSeenFrom(map_, elements, window_, p_W);
   const std::uint32_t own = goal_->view.element;
   const bool active = surface_.At(own) >= SurfaceClass::kLqse && !memory_.Skips(own);
@@ -131,20 +135,24 @@ bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
   }
   std::vector<Eigen::Vector3d> uavs_W{state_->X_WB.p};
   for (const FleetView::Other& other : prospect.others) uavs_W.push_back(other.x_W());
-  const auto seed = static_cast<std::uint64_t>(config_.mission.seed) * 1000003u + static_cast<std::uint64_t>(now);
+  const auto seed =
+      static_cast<std::uint64_t>(config_.mission.seed) * 1000003u + static_cast<std::uint64_t>(now);
   const std::vector<Eigen::Vector3d> centroids_W = DivideWork(elements_W, uavs_W, lengths_from_, seed);
   if (centroids_W.empty()) {
     correction_.Release();
     return false;
   }
-  std::vector<Eigen::Vector3d> by_uav(static_cast<std::size_t>(config_.mission.uavs), FleetCorrection::Nowhere());
+  std::vector<Eigen::Vector3d> by_uav(static_cast<std::size_t>(config_.mission.uavs),
+                                      FleetCorrection::Nowhere());
   by_uav[uav_ - 1] = centroids_W[0];
-  for (std::size_t i = 0; i < prospect.others.size(); ++i) by_uav[prospect.others[i].uav - 1] = centroids_W[i + 1];
+  for (std::size_t i = 0; i < prospect.others.size(); ++i)
+    by_uav[prospect.others[i].uav - 1] = centroids_W[i + 1];
   correction_.Begin(std::move(by_uav), now);
   return true;
 }
 
-std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now, Path& path) {
+std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now,
+                                          Path& path) {
   if (prospect.views.empty()) return std::nullopt;
   std::vector<Eigen::Vector3d> others_W;
   std::vector<PlanningMap::Ball> avoid;
@@ -154,9 +162,17 @@ std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const Trajec
     if (!other.has_goal && (other.p_W - start.p_W).norm() > apart) avoid.push_back({other.p_W, apart});
   }
   const FleetAssignment* correction = correction_.Current(now);
-  const Situation situation{map_,        surface_.goals(), window_,   config_.quality.eta_m,
-                            prospect.elements, prospect.views,  uav_,     start.p_W,
-                            start.v_W,   others_W,         correction ? &correction->centroid_W_by_uav : nullptr};
+  const Situation situation{map_,
+                            surface_.goals(),
+                            window_,
+                            config_.quality.eta_m,
+                            prospect.elements,
+                            prospect.views,
+                            uav_,
+                            start.p_W,
+                            start.v_W,
+                            others_W,
+                            correction ? &correction->centroid_W_by_uav : nullptr};
   return strategy_->Choose(situation, [&](const View& view) {
     std::optional<Path> found = find_path_(start.p_W, view.p_W, avoid);
     if (found && found->ends_at_goal) {
@@ -197,9 +213,11 @@ void ViewPlanner::CountStandOffs(const Prospect& prospect, Utime now) {
     const bool waits = std::any_of(blocked_.begin(), blocked_.end(), [&](const Blocked& blocked) {
       return (view.p_W - blocked.p_W).norm() < kBlockedNear_m;
     });
-    const bool mate_idles = std::any_of(prospect.others.begin(), prospect.others.end(), [&](const FleetView::Other& other) {
-      return !other.has_goal && (view.p_W - other.p_W).norm() < 2 * config_.uav.limits.radius_m + kGoalsApart_m;
-    });
+    const bool mate_idles =
+        std::any_of(prospect.others.begin(), prospect.others.end(), [&](const FleetView::Other& other) {
+          return !other.has_goal &&
+                 (view.p_W - other.p_W).norm() < 2 * config_.uav.limits.radius_m + kGoalsApart_m;
+        });
     if (waits || !mate_idles) continue;
     blocked_.push_back({view.p_W, now + FromSeconds(kStandOff_s)});
     memory_.CountBlocked(map_, view.element);

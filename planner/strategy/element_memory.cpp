@@ -25,7 +25,8 @@ std::uint64_t ElementMemory::Around(const PlanningMap& map, std::uint32_t linear
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x) {
         const VoxelIndex n = v + VoxelIndex(x, y, z);
-        digits = 3 * digits + (grid_.Contains(n) ? static_cast<std::uint64_t>(map.state(grid_.Linear(n))) : 0);
+        digits =
+            3 * digits + (grid_.Contains(n) ? static_cast<std::uint64_t>(map.state(grid_.Linear(n))) : 0);
       }
   return digits;
 }

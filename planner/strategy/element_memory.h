@@ -12,12 +12,13 @@
 
 namespace citrine::planner {
 
-/// What a planner remembers of elements that do not yield: which were looked at in vain, which nothing reachable sees.
+/// What a planner remembers of elements that do not yield: which were looked at in vain, which nothing
+/// reachable sees.
 ///
-/// Given up: two looks, each of which should have settled the element, changed neither its weight nor the classes of the
-/// 27 voxels around it. It comes back when one of those classes changes, at most three times: noise may make a
-/// class flicker for ever. Unreachable: no safe, connected pose sees it with use; tested again once an unknown
-/// voxel within the sensor's range has become known.
+/// Given up: two looks, each of which should have settled the element, changed neither its weight nor the
+/// classes of the 27 voxels around it. It comes back when one of those classes changes, at most three times:
+/// noise may make a class flicker for ever. Unreachable: no safe, connected pose sees it with use; tested
+/// again once an unknown voxel within the sensor's range has become known.
 class ElementMemory {
  public:
   ElementMemory(const VoxelGrid& grid, double range_max_m);
@@ -58,8 +59,8 @@ class ElementMemory {
   enum Flag : std::uint8_t { kGivenUp = 1, kUnreachable = 2 };
   struct Record {
     int attempts = 0, blocked = 0, returns = 0;
-    std::uint64_t around = 0;     ///< when it was given up
-    std::int64_t tested = 0;      ///< map revision of the verdict "unreachable"
+    std::uint64_t around = 0;  ///< when it was given up
+    std::int64_t tested = 0;   ///< map revision of the verdict "unreachable"
     std::optional<View> fallback;
   };
   std::uint64_t Around(const PlanningMap& map, std::uint32_t linear) const;

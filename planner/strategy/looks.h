@@ -8,8 +8,9 @@
 
 namespace citrine::planner {
 
-/// Looks at elements that should have settled them, until the map has had the time to say whether they did. Meanwhile
-/// their elements count as seen: a UAV neither waits for the map at every view nor turns back to what it has just seen.
+/// Looks at elements that should have settled them, until the map has had the time to say whether they did.
+/// Meanwhile their elements count as seen: a UAV neither waits for the map at every view nor turns back to
+/// what it has just seen.
 class Looks {
  public:
   /// @param settle_s from a look until a map with its scan has certainly been said and heard
@@ -17,7 +18,8 @@ class Looks {
 
   void Add(std::vector<ElementMemory::Before> elements, std::int64_t revision, Utime now);
 
-  /// Judges the looks that are due: their time is over and the map has changed since. @return whether there were any
+  /// Judges the looks that are due: their time is over and the map has changed since. @return whether there
+  /// were any
   bool Judge(const PlanningMap& map, const ActiveSurface& surface, Utime now, ElementMemory& memory);
 
   /// Adds the voxels of all elements under judgement.

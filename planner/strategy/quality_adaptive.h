@@ -4,8 +4,8 @@
 
 namespace citrine::planner {
 
-/// The paper's decision (IV-B, IV-C): the view with the largest alpha J_I + beta J_N + gamma J_C; under an imbalance
-/// correction J_C is 0 for views of elements outside the UAV's own Voronoi cell (eq. 16).
+/// The paper's decision (IV-B, IV-C): the view with the largest alpha J_I + beta J_N + gamma J_C; under an
+/// imbalance correction J_C is 0 for views of elements outside the UAV's own Voronoi cell (eq. 16).
 class QualityAdaptive : public Strategy {
  public:
   explicit QualityAdaptive(const ScoreWeights& weights) : weights_(weights) {}

@@ -15,19 +15,21 @@
 
 namespace citrine::planner {
 
-/// What a UAV decides on. All strategies share the map, the elements and the candidate views: what differs is the choice.
+/// What a UAV decides on. All strategies share the map, the elements and the candidate views: what differs is
+/// the choice.
 struct Situation {
   const PlanningMap& map;
   const QualityGoals& goals;
   const SensorWindow& window;
   double eta_m;
-  const std::vector<Element>& elements;          ///< active, ascending by voxel
-  const std::vector<View>& views;                ///< candidates, ascending by element
+  const std::vector<Element>& elements;  ///< active, ascending by voxel
+  const std::vector<View>& views;        ///< candidates, ascending by element
   int uav;
-  Eigen::Vector3d p_W;                           ///< where the way to the view begins [m]
-  Eigen::Vector3d v_W;                           ///< [m/s]
-  std::vector<Eigen::Vector3d> others_W;         ///< goals of the other UAVs, positions of those without [m]
-  const std::vector<Eigen::Vector3d>* centroid_W_by_uav;  ///< of an imbalance correction that holds; else null
+  Eigen::Vector3d p_W;                    ///< where the way to the view begins [m]
+  Eigen::Vector3d v_W;                    ///< [m/s]
+  std::vector<Eigen::Vector3d> others_W;  ///< goals of the other UAVs, positions of those without [m]
+  const std::vector<Eigen::Vector3d>*
+      centroid_W_by_uav;  ///< of an imbalance correction that holds; else null
 };
 
 struct Choice {

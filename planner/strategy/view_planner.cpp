@@ -11,14 +11,16 @@ namespace citrine::planner {
 namespace {
 
 constexpr double kReached_m = 0.25;
-constexpr double kNearGoal_m = 0.3;      ///< a trajectory that ends this near leads to the goal
+constexpr double kNearGoal_m = 0.3;  ///< a trajectory that ends this near leads to the goal
 constexpr double kIdlePeriod_s = 0.5;
 constexpr double kStalled_s = 2.0;
 constexpr double kBlocked_s = 10.0;
 constexpr int kWaitSteps = 5;
-constexpr double kLittle = 0.25;         ///< share of a goal's elements below which little gain is left
+constexpr double kLittle = 0.25;  ///< share of a goal's elements below which little gain is left
 
-double SettleTime(const MissionConfig& config) { return 1 / config.lidar.rate_hz + 1 / config.map.publish_hz + 0.4; }
+double SettleTime(const MissionConfig& config) {
+  return 1 / config.lidar.rate_hz + 1 / config.map.publish_hz + 0.4;
+}
 
 }  // namespace
 
@@ -33,7 +35,9 @@ ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap
       surface_(map.grid(), map.quantisation(), config.quality_goals()),
       reachable_(map, config.uav.limits, config.planner.path_margin_m),
       generator_(map, window_,
-                 [this](const Eigen::Vector3d& p_W) { return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0; },
+                 [this](const Eigen::Vector3d& p_W) {
+                   return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0;
+                 },
                  {config.quality.eta_m, config.map.weight_policy != "best_view"}),
       memory_(map.grid(), config.lidar.model.range_max_m),
       looks_(SettleTime(config)),
@@ -55,7 +59,8 @@ void ViewPlanner::HearStatus(int uav, const FleetStatus& status, Utime now) {
 }
 
 void ViewPlanner::HearAssignment(const FleetAssignment& assignment, Utime now) {
-  if (static_cast<int>(assignment.centroid_W_by_uav.size()) == config_.mission.uavs) correction_.Hear(assignment, now);
+  if (static_cast<int>(assignment.centroid_W_by_uav.size()) == config_.mission.uavs)
+    correction_.Hear(assignment, now);
 }
 
 void ViewPlanner::HearMap(Utime now) {
@@ -80,7 +85,8 @@ ViewPlanner::Outcome ViewPlanner::Tick(Utime now, std::int64_t map_version) {
   if (looks_.Judge(map_, surface_, now, memory_)) retry_ = true;
   if (!deciding_since_ && (goal_ ? GoalCallsForDecision(now) : IdleCallsForDecision(now))) Trigger(now);
   map_is_new_ = false;
-  if (!deciding_since_ || now < *deciding_since_ + FromSeconds(config_.planner.decision_latency_s)) return outcome;
+  if (!deciding_since_ || now < *deciding_since_ + FromSeconds(config_.planner.decision_latency_s))
+    return outcome;
   if (waited_steps_ < kWaitSteps && MateDecidesFirst(now)) {
     ++waited_steps_;
     return outcome;
@@ -93,7 +99,8 @@ ViewPlanner::Outcome ViewPlanner::Tick(Utime now, std::int64_t map_version) {
 void ViewPlanner::Trigger(Utime now) {
   deciding_since_ = now;
   waited_steps_ = 0;
-  if (!config_.planner.balance || config_.mission.uavs < 2 || !correction_.MayBegin(fleet_.Mates(now), now)) return;
+  if (!config_.planner.balance || config_.mission.uavs < 2 || !correction_.MayBegin(fleet_.Mates(now), now))
+    return;
   std::vector<Eigen::Vector3d> elements_W;
   for (const std::uint32_t voxel : surface_.elements())
     if (!memory_.Skips(voxel)) elements_W.push_back(map_.grid().Centre(map_.grid().FromLinear(voxel)));
@@ -103,11 +110,13 @@ void ViewPlanner::Trigger(Utime now) {
 bool ViewPlanner::GoalCallsForDecision(Utime now) {
   const Eigen::Vector3d& goal_W = goal_->view.p_W;
   const bool mine = flight_.path_id == path_->id;
-  if ((state_->X_WB.p - goal_W).norm() <= kReached_m || (mine && flight_.phase == FlightStatus::Phase::kReached)) {
+  if ((state_->X_WB.p - goal_W).norm() <= kReached_m ||
+      (mine && flight_.phase == FlightStatus::Phase::kReached)) {
     goal_->finished = true;
     return true;
   }
-  const bool stalled = trajectory_ && trajectory_->path_id == path_->id && trajectory_->end() + FromSeconds(kStalled_s) < now;
+  const bool stalled =
+      trajectory_ && trajectory_->path_id == path_->id && trajectory_->end() + FromSeconds(kStalled_s) < now;
   if ((mine && flight_.phase == FlightStatus::Phase::kBlocked) || stalled || now > goal_->deadline) {
     GoalBlocked(now);
     return true;
@@ -126,15 +135,18 @@ bool ViewPlanner::LooksAheadNow(Utime now) const {
   if ((trajectory_->At(end).p_W - goal_->view.p_W).norm() > kNearGoal_m) return false;
   // Only if what the view was made for will have been seen by the time that the UAV turns away.
   const Eigen::Vector3d p_W = Ahead(now + FromSeconds(config_.planner.decision_latency_s)).p_W;
-  const auto active = [&](std::uint32_t voxel) { return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel); };
-  const std::vector<Element> left = ListElements(map_, surface_, [&](std::uint32_t voxel) {
-    return voxel != goal_->view.element || !active(voxel);
-  });
+  const auto active = [&](std::uint32_t voxel) {
+    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
+  };
+  const std::vector<Element> left = ListElements(
+      map_, surface_, [&](std::uint32_t voxel) { return voxel != goal_->view.element || !active(voxel); });
   return left.empty() || WellSeen(map_, left.front(), window_, p_W);
 }
 
 bool ViewPlanner::GoalWorthless() const {
-  const auto active = [&](std::uint32_t voxel) { return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel); };
+  const auto active = [&](std::uint32_t voxel) {
+    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
+  };
   if (std::any_of(goal_->made_for.begin(), goal_->made_for.end(), active)) return false;
   const auto left = std::count_if(goal_->seen.begin(), goal_->seen.end(), active);
   return static_cast<double>(left) <= kLittle * static_cast<double>(goal_->seen.size());

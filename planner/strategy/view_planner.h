@@ -25,17 +25,20 @@ namespace citrine::planner {
 
 /// One UAV's planner: when to decide, on what, and what to make of the outcome (paper, IV).
 ///
-/// A decision is triggered at the start, shortly before the committed trajectory comes to rest at the goal, when the goal
-/// is reached, blocked or has become worthless, and twice a second while there is none. It takes effect a fixed
-/// mission time later, after those of living mates of lower id that were triggered no later.
+/// A decision is triggered at the start, shortly before the committed trajectory comes to rest at the goal,
+/// when the goal is reached, blocked or has become worthless, and twice a second while there is none. It
+/// takes effect a fixed mission time later, after those of living mates of lower id that were triggered no
+/// later.
 class ViewPlanner {
  public:
   /// The way to a view. nullopt: there is none
-  using FindPath = std::function<std::optional<Path>(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
-                                                     const std::vector<PlanningMap::Ball>& avoid)>;
+  using FindPath =
+      std::function<std::optional<Path>(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
+                                        const std::vector<PlanningMap::Ball>& avoid)>;
 
   /// @param map followed, not copied  @throws ConfigError for an unknown strategy
-  ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, FindPath find_path, LengthsFrom lengths_from);
+  ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, FindPath find_path,
+              LengthsFrom lengths_from);
   ~ViewPlanner();
 
   void HearState(int uav, const UavState& state, Utime now);
@@ -49,9 +52,9 @@ class ViewPlanner {
 
   /// What a step brought about.
   struct Outcome {
-    bool decided = false;      ///< a decision took effect
-    bool new_path = false;     ///< path() is a new one
-    bool corrected = false;    ///< assignment() is a new one
+    bool decided = false;    ///< a decision took effect
+    bool new_path = false;   ///< path() is a new one
+    bool corrected = false;  ///< assignment() is a new one
     std::size_t views = 0, elements = 0;
   };
   Outcome Tick(Utime now, std::int64_t map_version);
@@ -67,10 +70,11 @@ class ViewPlanner {
  private:
   struct Goal {
     View view;
-    std::vector<std::uint32_t> seen;      ///< elements that a look from there should settle
-    std::vector<std::uint32_t> made_for;  ///< of them, those near the one that the view was made for, and that one
+    std::vector<std::uint32_t> seen;  ///< elements that a look from there should settle
+    std::vector<std::uint32_t>
+        made_for;  ///< of them, those near the one that the view was made for, and that one
     Utime deadline = 0;
-    bool finished = false;                ///< reached, or as good as
+    bool finished = false;  ///< reached, or as good as
     bool looked_ahead = false;
   };
   struct Blocked {
@@ -97,7 +101,8 @@ class ViewPlanner {
   /// Counts views that are left to an idle mate, who does not take them: after three times they are given up.
   void CountStandOffs(const Prospect& prospect, Utime now);
   void NoChoice(const Prospect& prospect, Utime now);
-  void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal, Utime now);
+  void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal,
+                    Utime now);
   /// Takes views nearer than `planner.hop_min_m` out where there are others not much farther.
   void LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const;
   bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
@@ -128,7 +133,7 @@ class ViewPlanner {
   std::optional<Utime> deciding_since_;
   int waited_steps_ = 0;
   Utime first_map_ = -1, last_decision_ = 0;
-  std::int64_t decided_on_ = -1;          ///< map revision of the last decision
+  std::int64_t decided_on_ = -1;  ///< map revision of the last decision
   std::int64_t decided_version_ = 0;
   std::int64_t decisions_ = 0;
   std::int32_t elements_active_ = 0;

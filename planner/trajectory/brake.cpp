@@ -11,7 +11,7 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kPiece_s = 0.06;     ///< of the fit to the slowed motion
+constexpr double kPiece_s = 0.06;  ///< of the fit to the slowed motion
 constexpr double kHardRamp_s = 0.15;
 constexpr double kShortest_s = 0.3;
 constexpr double kFading_s = 0.3;
@@ -19,7 +19,8 @@ constexpr double kInstant_s = 1e-9;
 constexpr double kFitTolerance = 1.005;
 constexpr double kStill_mps = 1e-4;
 
-/// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of `ramp_s`.
+/// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of
+/// `ramp_s`.
 struct Slowing {
   double ramp_s, hold_s;
   double duration_s() const { return 2 * ramp_s + hold_s; }
@@ -33,7 +34,8 @@ struct Slowing {
       const Progress mirrored = At(duration_s() - t);
       return {t - duration_s() / 2 + mirrored.along_s, 1 - mirrored.pace, mirrored.pace_rate};
     }
-    if (t < ramp_s) return {t - peak * t * t * t / (6 * ramp_s), 1 - peak * t * t / (2 * ramp_s), -peak * t / ramp_s};
+    if (t < ramp_s)
+      return {t - peak * t * t * t / (6 * ramp_s), 1 - peak * t * t / (2 * ramp_s), -peak * t / ramp_s};
     const double h = t - ramp_s, pace = 1 - peak * ramp_s / 2;
     return {ramp_s - peak * ramp_s * ramp_s / 6 + pace * h - peak * h * h / 2, pace - peak * h, -peak};
   }
@@ -62,7 +64,8 @@ std::vector<TrajectorySegment> Fit(const Trajectory& flown, Utime at, const Slow
   std::vector<TrajectorySegment> segments;
   Knot from = Slowed(flown, at, slowing, 0);
   double begin_s = 0;
-  // A piece never spans two phases: along a straight, steady motion every phase is a cubic, and the fit exact.
+  // A piece never spans two phases: along a straight, steady motion every phase is a cubic, and the fit
+  // exact.
   for (const double phase_s : {slowing.ramp_s, slowing.hold_s, slowing.ramp_s}) {
     const int pieces = static_cast<int>(std::ceil(phase_s / kPiece_s));
     for (int i = 1; i <= pieces; ++i) {
@@ -97,7 +100,8 @@ std::vector<TrajectorySegment> BrakeAlong(const Trajectory& flown, Utime at, con
   }
   double duration_s = 0;
   for (const TrajectorySegment& segment : segments) duration_s += segment.duration_s;
-  AddYaw(start.yaw_rad, start.yaw_rate_radps, start.yaw_rad + start.yaw_rate_radps * duration_s / 2, &segments);
+  AddYaw(start.yaw_rad, start.yaw_rate_radps, start.yaw_rad + start.yaw_rate_radps * duration_s / 2,
+         &segments);
   return segments;
 }
 

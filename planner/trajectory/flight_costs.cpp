@@ -29,7 +29,8 @@ double SpeedCost(double speed_max_mps, const FlightSample& x, double weight, Fli
   return NormCost(speed_max_mps, x.v, weight, &by->v);
 }
 
-double AccelerationCost(double acceleration_max_mps2, const FlightSample& x, double weight, FlightSample* by) {
+double AccelerationCost(double acceleration_max_mps2, const FlightSample& x, double weight,
+                        FlightSample* by) {
   return NormCost(acceleration_max_mps2, x.a, weight, &by->a);
 }
 
@@ -44,8 +45,8 @@ double VolumeCost(const Eigen::AlignedBox3d& box_W, const FlightSample& x, doubl
   return sum;
 }
 
-double TeammateCost(const Teammate& teammate, double separation_m, Utime start, const FlightSample& x, double weight,
-                    FlightSample* by) {
+double TeammateCost(const Teammate& teammate, double separation_m, Utime start, const FlightSample& x,
+                    double weight, FlightSample* by) {
   const Utime since = FromSeconds(x.t_s);
   const TrajectoryPoint other = teammate.trajectory.At(start + since);
   const Eigen::Vector3d apart = x.p - other.p_W - (x.t_s - Seconds(since)) * other.v_W;

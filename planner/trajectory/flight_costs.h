@@ -24,8 +24,8 @@ struct Teammate {
   Trajectory trajectory;
 };
 
-// Rates of cost: what a motion pays a second. Each is the cube of a hinge, twice differentiable and zero where all is
-// well, and adds its derivatives to `by` times `weight`.
+// Rates of cost: what a motion pays a second. Each is the cube of a hinge, twice differentiable and zero
+// where all is well, and adds its derivatives to `by` times `weight`.
 
 /// Clearance missing in a distance field [m]: to what is occupied, or to what is unknown.
 double ClearanceCost(const DistanceField& field, double clearance_m, const FlightSample& x, double weight,
@@ -38,7 +38,7 @@ double AccelerationCost(double acceleration_max_mps2, const FlightSample& x, dou
 double VolumeCost(const Eigen::AlignedBox3d& box_W, const FlightSample& x, double weight, FlightSample* by);
 /// Closeness to a teammate at the same time: excess of separation^2 over distance^2, relative to it.
 /// @param start when the motion began
-double TeammateCost(const Teammate& teammate, double separation_m, Utime start, const FlightSample& x, double weight,
-                    FlightSample* by);
+double TeammateCost(const Teammate& teammate, double separation_m, Utime start, const FlightSample& x,
+                    double weight, FlightSample* by);
 
 }  // namespace citrine::planner

@@ -20,17 +20,19 @@ struct Hermite {
 
 constexpr Hermite HermiteAt(double s) {
   const double s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
-  return {{1 - 10 * s3 + 15 * s4 - 6 * s5, s - 6 * s3 + 8 * s4 - 3 * s5, s2 / 2 - 1.5 * s3 + 1.5 * s4 - s5 / 2,
-           10 * s3 - 15 * s4 + 6 * s5, -4 * s3 + 7 * s4 - 3 * s5, s3 / 2 - s4 + s5 / 2},
-          {-30 * s2 + 60 * s3 - 30 * s4, 1 - 18 * s2 + 32 * s3 - 15 * s4, s - 4.5 * s2 + 6 * s3 - 2.5 * s4,
-           30 * s2 - 60 * s3 + 30 * s4, -12 * s2 + 28 * s3 - 15 * s4, 1.5 * s2 - 4 * s3 + 2.5 * s4},
-          {-60 * s + 180 * s2 - 120 * s3, -36 * s + 96 * s2 - 60 * s3, 1 - 9 * s + 18 * s2 - 10 * s3,
-           60 * s - 180 * s2 + 120 * s3, -24 * s + 84 * s2 - 60 * s3, 3 * s - 12 * s2 + 10 * s3}};
+  return {
+      {1 - 10 * s3 + 15 * s4 - 6 * s5, s - 6 * s3 + 8 * s4 - 3 * s5, s2 / 2 - 1.5 * s3 + 1.5 * s4 - s5 / 2,
+       10 * s3 - 15 * s4 + 6 * s5, -4 * s3 + 7 * s4 - 3 * s5, s3 / 2 - s4 + s5 / 2},
+      {-30 * s2 + 60 * s3 - 30 * s4, 1 - 18 * s2 + 32 * s3 - 15 * s4, s - 4.5 * s2 + 6 * s3 - 2.5 * s4,
+       30 * s2 - 60 * s3 + 30 * s4, -12 * s2 + 28 * s3 - 15 * s4, 1.5 * s2 - 4 * s3 + 2.5 * s4},
+      {-60 * s + 180 * s2 - 120 * s3, -36 * s + 96 * s2 - 60 * s3, 1 - 9 * s + 18 * s2 - 10 * s3,
+       60 * s - 180 * s2 + 120 * s3, -24 * s + 84 * s2 - 60 * s3, 3 * s - 12 * s2 + 10 * s3}};
 }
 
 constexpr std::array<Hermite, kSamples + 1> kHermite = [] {
   std::array<Hermite, kSamples + 1> table{};
-  for (int j = 0; j <= kSamples; ++j) table[static_cast<std::size_t>(j)] = HermiteAt(static_cast<double>(j) / kSamples);
+  for (int j = 0; j <= kSamples; ++j)
+    table[static_cast<std::size_t>(j)] = HermiteAt(static_cast<double>(j) / kSamples);
   return table;
 }();
 
@@ -49,7 +51,8 @@ Weighed Sum(const std::array<double, 6>& h, const Knot& k0, const Knot& k1, doub
 }
 
 /// Adds the derivatives by both knots of a piece.
-void Spread(const std::array<double, 6>& h, double T, int order, const Eigen::Vector3d& by, Knot* d0, Knot* d1) {
+void Spread(const std::array<double, 6>& h, double T, int order, const Eigen::Vector3d& by, Knot* d0,
+            Knot* d1) {
   const Eigen::Vector3d scaled = (order == 0 ? 1 : order == 1 ? 1 / T : 1 / (T * T)) * by;
   d0->p += h[0] * scaled;
   d0->v += h[1] * T * scaled;
@@ -106,7 +109,8 @@ double FlightObjective::SamplePieces(std::vector<Knot>* by_knot, std::vector<dou
     for (int j = 0; j <= kSamples; ++j) {
       const Hermite& h = kHermite[static_cast<std::size_t>(j)];
       const double s = static_cast<double>(j) / kSamples;
-      const Weighed p = Sum(h.value, k0, k1, T, 0), v = Sum(h.first, k0, k1, T, 1), a = Sum(h.second, k0, k1, T, 2);
+      const Weighed p = Sum(h.value, k0, k1, T, 0), v = Sum(h.first, k0, k1, T, 1),
+                    a = Sum(h.second, k0, k1, T, 2);
       const double share = (j == 0 || j == kSamples ? 0.5 : 1.0) / kSamples;
       FlightSample by;
       const double rate = RateOfCost({p.value, v.value, a.value, begin_s + s * T}, share * T, &by);
@@ -115,8 +119,8 @@ double FlightObjective::SamplePieces(std::vector<Knot>* by_knot, std::vector<dou
       Spread(h.value, T, 0, by.p, &d0, &d1);
       Spread(h.first, T, 1, by.v, &d0, &d1);
       Spread(h.second, T, 2, by.a, &d0, &d1);
-      (*by_duration)[i] += rate / T + by.p.dot(p.by_duration) + by.v.dot(v.by_duration) + by.a.dot(a.by_duration) +
-                           s * by.t_s;
+      (*by_duration)[i] +=
+          rate / T + by.p.dot(p.by_duration) + by.v.dot(v.by_duration) + by.a.dot(a.by_duration) + s * by.t_s;
       by_begin += by.t_s;
     }
     for (std::size_t before = 0; before < i; ++before) (*by_duration)[before] += by_begin;
@@ -131,13 +135,15 @@ double FlightObjective::RateOfCost(const FlightSample& x, double weight, FlightS
   const Eigen::Vector3d room = Eigen::Vector3d::Constant(kVolumeRoom_m);
   const Eigen::AlignedBox3d box_W(map.grid().volume_W().min() + room, map.grid().volume_W().max() - room);
   const double clearance = weights_.clearance * weight;
-  double cost = ClearanceCost(map.to_occupied(), limits.radius_m + kOccupiedRoom_m, x, clearance, by) +
-                ClearanceCost(map.to_unknown(), limits.radius_m + kUnknownRoom_m, x, clearance, by) +
-                VolumeCost(box_W, x, clearance, by) +
-                SpeedCost(kPlannedSpeed * limits.speed_max_mps, x, weights_.limits * weight, by) +
-                AccelerationCost(kPlannedAcceleration * limits.acceleration_max_mps2, x, weights_.limits * weight, by);
+  double cost =
+      ClearanceCost(map.to_occupied(), limits.radius_m + kOccupiedRoom_m, x, clearance, by) +
+      ClearanceCost(map.to_unknown(), limits.radius_m + kUnknownRoom_m, x, clearance, by) +
+      VolumeCost(box_W, x, clearance, by) +
+      SpeedCost(kPlannedSpeed * limits.speed_max_mps, x, weights_.limits * weight, by) +
+      AccelerationCost(kPlannedAcceleration * limits.acceleration_max_mps2, x, weights_.limits * weight, by);
   for (const Teammate& teammate : scene_.teammates)
-    cost += TeammateCost(teammate, scene_.separation_m() + kTeammateRoom_m, begins_, x, weights_.teammates * weight, by);
+    cost += TeammateCost(teammate, scene_.separation_m() + kTeammateRoom_m, begins_, x,
+                         weights_.teammates * weight, by);
   return cost;
 }
 

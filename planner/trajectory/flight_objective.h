@@ -11,9 +11,9 @@ namespace citrine::planner {
 
 /// What flying badly costs, relative to a unit of jerk energy.
 struct FlightWeights {
-  double time = 100;         ///< a second
-  double clearance = 2000;   ///< to occupied and to unknown, and to the volume's faces
-  double limits = 30000;      ///< of speed and acceleration
+  double time = 100;        ///< a second
+  double clearance = 2000;  ///< to occupied and to unknown, and to the volume's faces
+  double limits = 30000;    ///< of speed and acceleration
   double teammates = 2000;
 };
 
@@ -27,8 +27,8 @@ struct FlightScene {
   double separation_m() const { return 2 * limits.radius_m + 0.2; }
 };
 
-/// The cost of a minimum-jerk spline as a function of its inner points and the logarithms of its durations, with its
-/// exact gradient: jerk + time + penalties sampled along the pieces.
+/// The cost of a minimum-jerk spline as a function of its inner points and the logarithms of its durations,
+/// with its exact gradient: jerk + time + penalties sampled along the pieces.
 class FlightObjective {
  public:
   /// @param start first knot, kept; @param end last knot, kept
@@ -42,7 +42,8 @@ class FlightObjective {
   /// The spline of the last evaluation.
   const MinimumJerkSpline& spline() const { return spline_; }
 
-  static std::vector<double> Pack(const std::vector<Eigen::Vector3d>& inner_W, const std::vector<double>& durations_s);
+  static std::vector<double> Pack(const std::vector<Eigen::Vector3d>& inner_W,
+                                  const std::vector<double>& durations_s);
 
  private:
   double SamplePieces(std::vector<Knot>* by_knot, std::vector<double>* by_duration) const;

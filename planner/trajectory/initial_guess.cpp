@@ -21,7 +21,8 @@ double Length(const std::vector<Eigen::Vector3d>& points_W) {
 std::vector<Eigen::Vector3d> Spread(const std::vector<Eigen::Vector3d>& points_W) {
   std::vector<Eigen::Vector3d> apart = {points_W.front()};
   for (std::size_t i = 1; i + 1 < points_W.size(); ++i)
-    if ((points_W[i] - apart.back()).norm() > kShortestLeg_m && (points_W[i] - points_W.back()).norm() > kShortestLeg_m)
+    if ((points_W[i] - apart.back()).norm() > kShortestLeg_m &&
+        (points_W[i] - points_W.back()).norm() > kShortestLeg_m)
       apart.push_back(points_W[i]);
   apart.push_back(points_W.back());
   return apart;
@@ -40,7 +41,8 @@ double RampTime(double s, double length, double v0, double cruise, double a) {
 
 }  // namespace
 
-InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot& start, const VehicleLimits& limits) {
+InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot& start,
+                        const VehicleLimits& limits) {
   const double speed = start.v.norm();
   std::vector<Eigen::Vector3d> corners_W = points_W;
   const Eigen::Vector3d ahead = (points_W[1] - points_W[0]).normalized();
@@ -59,12 +61,16 @@ InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot
     const double leg_m = (corners_W[i + 1] - corners_W[i]).norm();
     const int pieces = std::max(1, static_cast<int>(std::ceil(leg_m / piece_m - 1e-6)));
     for (int k = 1; k <= pieces; ++k)
-      guess.points_W.push_back(corners_W[i] + (corners_W[i + 1] - corners_W[i]) * (static_cast<double>(k) / pieces));
+      guess.points_W.push_back(corners_W[i] +
+                               (corners_W[i + 1] - corners_W[i]) * (static_cast<double>(k) / pieces));
   }
-  if (guess.points_W.size() == 2) guess.points_W.insert(guess.points_W.begin() + 1, (corners_W[0] + corners_W[1]) / 2);
+  if (guess.points_W.size() == 2)
+    guess.points_W.insert(guess.points_W.begin() + 1, (corners_W[0] + corners_W[1]) / 2);
 
-  const double v0 = std::clamp(start.v.dot((guess.points_W[1] - guess.points_W[0]).normalized()), 0.0, limits.speed_max_mps);
-  const double cruise = kCruiseShare * limits.speed_max_mps, a = kAccelerationShare * limits.acceleration_max_mps2;
+  const double v0 = std::clamp(start.v.dot((guess.points_W[1] - guess.points_W[0]).normalized()), 0.0,
+                               limits.speed_max_mps);
+  const double cruise = kCruiseShare * limits.speed_max_mps,
+               a = kAccelerationShare * limits.acceleration_max_mps2;
   double s = 0;
   for (std::size_t i = 0; i + 1 < guess.points_W.size(); ++i) {
     const double next = s + (guess.points_W[i + 1] - guess.points_W[i]).norm();

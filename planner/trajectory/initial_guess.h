@@ -9,15 +9,17 @@
 
 namespace citrine::planner {
 
-/// Where a solve begins: points along a path at most `kPieceMax_m` apart, and durations of a speed ramp along them.
+/// Where a solve begins: points along a path at most `kPieceMax_m` apart, and durations of a speed ramp along
+/// them.
 struct InitialGuess {
-  std::vector<Eigen::Vector3d> points_W;   ///< one more than durations; the first is the start
+  std::vector<Eigen::Vector3d> points_W;  ///< one more than durations; the first is the start
   std::vector<double> durations_s;
 };
 
 inline constexpr double kPieceMax_m = 2.0;
 
 /// @param points_W the path's corners, beginning at start.p
-InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot& start, const VehicleLimits& limits);
+InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot& start,
+                        const VehicleLimits& limits);
 
 }  // namespace citrine::planner

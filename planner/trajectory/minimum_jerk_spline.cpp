@@ -30,7 +30,8 @@ Miss Slopes(const Miss& e, double T) {
 /// Derivative of Slopes by T alone.
 Miss SlopesByDuration(const Miss& e, double T) {
   const double T2 = T * T, T3 = T2 * T, T4 = T3 * T, T5 = T4 * T, T6 = T5 * T;
-  return {-7200 / T6 * e.p + 2880 / T5 * e.v - 360 / T4 * e.a, 2880 / T5 * e.p - 1152 / T4 * e.v + 144 / T3 * e.a,
+  return {-7200 / T6 * e.p + 2880 / T5 * e.v - 360 / T4 * e.a,
+          2880 / T5 * e.p - 1152 / T4 * e.v + 144 / T3 * e.a,
           -360 / T4 * e.p + 144 / T3 * e.v - 18 / T2 * e.a};
 }
 
@@ -58,8 +59,9 @@ void MinimumJerkSpline::Factor() {
   Block carried{};  // what eliminating the knot before subtracts
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double T = durations_s_[i - 1], U = durations_s_[i];
-    const Block d = {384 / (T * T * T) + 384 / (U * U * U) - carried.vv, 72 / (U * U) - 72 / (T * T) - carried.va,
-                     72 / (U * U) - 72 / (T * T) - carried.av, 18 / T + 18 / U - carried.aa};
+    const Block d = {384 / (T * T * T) + 384 / (U * U * U) - carried.vv,
+                     72 / (U * U) - 72 / (T * T) - carried.va, 72 / (U * U) - 72 / (T * T) - carried.av,
+                     18 / T + 18 / U - carried.aa};
     const double det = d.vv * d.aa - d.va * d.av;
     inverse_[i] = {d.aa / det, -d.va / det, -d.av / det, d.vv / det};
     const Block u = upper_[i] = {336 / (U * U * U), -48 / (U * U), 48 / (U * U), -6 / U};
@@ -114,8 +116,7 @@ double MinimumJerkSpline::JerkEnergy(std::vector<Knot>* by_knot, std::vector<dou
     d1.a += s.a;
     if (by_duration) {
       // The energy is a quadratic form of the miss: its derivative by T alone is half that of its slopes.
-      (*by_duration)[i] +=
-          Dot(SlopesByDuration(e, T), e) / 2 - s.p.dot(k0.v + k0.a * T) - s.v.dot(k0.a);
+      (*by_duration)[i] += Dot(SlopesByDuration(e, T), e) / 2 - s.p.dot(k0.v + k0.a * T) - s.v.dot(k0.a);
     }
   }
   return sum;
@@ -130,14 +131,16 @@ void MinimumJerkSpline::PullBack(std::vector<Knot>* by_knot, std::vector<double>
     const Knot &k0 = knots_[i], &l0 = lambda[i], &l1 = lambda[i + 1];
     const double T = durations_s_[i];
     const Miss e = MissOf(k0, knots_[i + 1], T);
-    // The directional derivative of the energy along lambda is zero at the solution: differentiate that by p and T.
+    // The directional derivative of the energy along lambda is zero at the solution: differentiate that by p
+    // and T.
     const Miss along = {-(l0.v * T + l0.a * (T * T / 2)), l1.v - l0.v - l0.a * T, l1.a - l0.a};
     const Miss along_by_T = {-(l0.v + l0.a * T), -l0.a, Eigen::Vector3d::Zero()};
     const Miss e_by_T = {-(k0.v + k0.a * T), -k0.a, Eigen::Vector3d::Zero()};
     const Miss second = Slopes(along, T);
     (*by_knot)[i].p += second.p;
     (*by_knot)[i + 1].p -= second.p;
-    (*by_duration)[i] -= Dot(SlopesByDuration(e, T), along) + Dot(second, e_by_T) + Dot(Slopes(e, T), along_by_T);
+    (*by_duration)[i] -=
+        Dot(SlopesByDuration(e, T), along) + Dot(second, e_by_T) + Dot(Slopes(e, T), along_by_T);
   }
 }
 

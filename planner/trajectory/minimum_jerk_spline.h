@@ -17,8 +17,9 @@ struct Knot {
 
 /// Quintic pieces through given points that minimise the integral of squared jerk.
 ///
-/// Points and durations are the only variables: the velocities and accelerations at inner knots follow from a linear
-/// system, block-tridiagonal with 2x2 blocks and the same for every axis (after Richter et al. 2013; Wang et al. 2022).
+/// Points and durations are the only variables: the velocities and accelerations at inner knots follow from a
+/// linear system, block-tridiagonal with 2x2 blocks and the same for every axis (after Richter et al. 2013;
+/// Wang et al. 2022).
 class MinimumJerkSpline {
  public:
   /// Keeps the first and the last knot whole and the positions of the inner ones, and finds their v and a.
@@ -31,7 +32,8 @@ class MinimumJerkSpline {
   /// [m^2/s^5] integral of the squared jerk; adds its partial derivatives if asked.
   double JerkEnergy(std::vector<Knot>* by_knot = nullptr, std::vector<double>* by_duration = nullptr) const;
 
-  /// Partial derivatives of a cost by every knot's state and every duration -> its total derivatives by the positions
+  /// Partial derivatives of a cost by every knot's state and every duration -> its total derivatives by the
+  /// positions
   /// (`by_knot[i].p` of inner knots) and durations, through the linear system (adjoint method).
   void PullBack(std::vector<Knot>* by_knot, std::vector<double>* by_duration) const;
 

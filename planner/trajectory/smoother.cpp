@@ -13,7 +13,8 @@ namespace citrine::planner {
 
 namespace {
 
-// NLopt's L-BFGS fails on its first step where gradients are large: the objective is scaled to this steepest slope.
+// NLopt's L-BFGS fails on its first step where gradients are large: the objective is scaled to this steepest
+// slope.
 constexpr double kSteepest = 0.3;
 constexpr double kRelativeCost = 1e-4, kRelativeStep = 1e-5;
 constexpr int kMemory = 20;
@@ -47,7 +48,8 @@ double ScaledCost(unsigned n, const double* x, double* gradient, void* data) {
 
 void Minimise(Search* search, std::size_t points, int evaluations_max) {
   const auto n = static_cast<unsigned>(search->x.size());
-  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(nlopt_create(NLOPT_LD_LBFGS, n), nlopt_destroy);
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(nlopt_create(NLOPT_LD_LBFGS, n),
+                                                                 nlopt_destroy);
   std::vector<double> lower(n, -HUGE_VAL), upper(n, HUGE_VAL);
   std::fill(lower.begin() + static_cast<std::ptrdiff_t>(3 * points), lower.end(), std::log(kShortest_s));
   std::fill(upper.begin() + static_cast<std::ptrdiff_t>(3 * points), upper.end(), std::log(kLongest_s));
@@ -65,8 +67,8 @@ void Minimise(Search* search, std::size_t points, int evaluations_max) {
 
 }  // namespace
 
-SmoothingResult Smoother::Solve(const FlightScene& scene, const FlightWeights& weights, const SmoothingTask& task,
-                                const SmoothingResult* warm) const {
+SmoothingResult Smoother::Solve(const FlightScene& scene, const FlightWeights& weights,
+                                const SmoothingTask& task, const SmoothingResult* warm) const {
   const InitialGuess guess = GuessAlong(task.points_W, task.start, scene.limits);
   std::vector<Eigen::Vector3d> inner_W(guess.points_W.begin() + 1, guess.points_W.end() - 1);
   std::vector<double> durations_s = guess.durations_s;

@@ -10,9 +10,9 @@ namespace citrine::planner {
 
 /// A motion along a path: where it begins, through what it goes, where it comes to rest.
 struct SmoothingTask {
-  Knot start;                              ///< left exactly so
+  Knot start;  ///< left exactly so
   Utime begins = 0;
-  std::vector<Eigen::Vector3d> points_W;   ///< the way, beginning at start.p; two at least
+  std::vector<Eigen::Vector3d> points_W;  ///< the way, beginning at start.p; two at least
 };
 
 struct SmoothingResult {
@@ -21,8 +21,9 @@ struct SmoothingResult {
   int evaluations = 0;
 };
 
-/// Turns the straight legs of a path into one smooth motion that ends at rest (paper, IV-E): NLopt's L-BFGS over the inner
-/// points and the durations of a minimum-jerk spline. Stops by evaluations, never by time; the same bits every time.
+/// Turns the straight legs of a path into one smooth motion that ends at rest (paper, IV-E): NLopt's L-BFGS
+/// over the inner points and the durations of a minimum-jerk spline. Stops by evaluations, never by time; the
+/// same bits every time.
 class Smoother {
  public:
   explicit Smoother(int evaluations_max) : evaluations_max_(evaluations_max) {}

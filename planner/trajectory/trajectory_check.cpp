@@ -7,7 +7,7 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr Utime kSample = 20'000;            ///< [us] 9 cm at 4.5 m/s
+constexpr Utime kSample = 20'000;  ///< [us] 9 cm at 4.5 m/s
 constexpr double kLimitTolerance = 1.01;
 constexpr double kClearanceTolerance_m = 1e-6;
 constexpr double kVolumeTolerance_m = 1e-3;
@@ -40,12 +40,15 @@ bool Jumps(const Trajectory& trajectory) {
     const TrajectorySegment& now = trajectory.segments[i];
     const double s = now.duration_s;
     const auto& c = now.coefficients;
-    const Eigen::Vector4d p = c.col(0) + s * (c.col(1) + s * (c.col(2) + s * (c.col(3) + s * (c.col(4) + s * c.col(5)))));
-    const Eigen::Vector4d v = c.col(1) + s * (2 * c.col(2) + s * (3 * c.col(3) + s * (4 * c.col(4) + s * 5 * c.col(5))));
+    const Eigen::Vector4d p =
+        c.col(0) + s * (c.col(1) + s * (c.col(2) + s * (c.col(3) + s * (c.col(4) + s * c.col(5)))));
+    const Eigen::Vector4d v =
+        c.col(1) + s * (2 * c.col(2) + s * (3 * c.col(3) + s * (4 * c.col(4) + s * 5 * c.col(5))));
     const Eigen::Vector4d a = 2 * c.col(2) + s * (6 * c.col(3) + s * (12 * c.col(4) + s * 20 * c.col(5)));
     const auto& next = trajectory.segments[i + 1].coefficients;
-    const double gap = std::max({(p - next.col(0)).cwiseAbs().maxCoeff(), (v - next.col(1)).cwiseAbs().maxCoeff(),
-                                 (a - 2 * next.col(2)).head<3>().cwiseAbs().maxCoeff()});
+    const double gap =
+        std::max({(p - next.col(0)).cwiseAbs().maxCoeff(), (v - next.col(1)).cwiseAbs().maxCoeff(),
+                  (a - 2 * next.col(2)).head<3>().cwiseAbs().maxCoeff()});
     if (!(gap < kJump)) return true;
   }
   return false;
@@ -56,22 +59,38 @@ bool Jumps(const Trajectory& trajectory) {
 std::string Violation::Reason() const {
   char text[96];
   switch (kind) {
-    case Kind::kJump: return "the motion jumps";
-    case Kind::kNoRest: return "the motion does not end at rest";
-    case Kind::kSpeed: std::snprintf(text, sizeof text, "too fast: %.2f m/s", value); break;
-    case Kind::kAcceleration: std::snprintf(text, sizeof text, "too hard: %.2f m/s^2", value); break;
-    case Kind::kVolume: std::snprintf(text, sizeof text, "%.2f m outside of the mission volume", value); break;
-    case Kind::kOccupied: std::snprintf(text, sizeof text, "an obstacle %.2f m from the way", value); break;
-    case Kind::kUnknown: std::snprintf(text, sizeof text, "unknown space %.2f m from the way", value); break;
-    case Kind::kTeammate: std::snprintf(text, sizeof text, "UAV %d comes as close as %.2f m", teammate, value); break;
+    case Kind::kJump:
+      return "the motion jumps";
+    case Kind::kNoRest:
+      return "the motion does not end at rest";
+    case Kind::kSpeed:
+      std::snprintf(text, sizeof text, "too fast: %.2f m/s", value);
+      break;
+    case Kind::kAcceleration:
+      std::snprintf(text, sizeof text, "too hard: %.2f m/s^2", value);
+      break;
+    case Kind::kVolume:
+      std::snprintf(text, sizeof text, "%.2f m outside of the mission volume", value);
+      break;
+    case Kind::kOccupied:
+      std::snprintf(text, sizeof text, "an obstacle %.2f m from the way", value);
+      break;
+    case Kind::kUnknown:
+      std::snprintf(text, sizeof text, "unknown space %.2f m from the way", value);
+      break;
+    case Kind::kTeammate:
+      std::snprintf(text, sizeof text, "UAV %d comes as close as %.2f m", teammate, value);
+      break;
   }
   return text;
 }
 
-std::optional<Violation> FindMapViolation(const Trajectory& trajectory, Utime from, const FlightScene& scene) {
+std::optional<Violation> FindMapViolation(const Trajectory& trajectory, Utime from,
+                                          const FlightScene& scene) {
   const PlanningMap& map = *scene.map;
   const double radius_m = scene.limits.radius_m;
-  Keep occupied(std::min(radius_m, map.to_occupied().radius_m())), unknown(std::min(radius_m, map.to_unknown().radius_m()));
+  Keep occupied(std::min(radius_m, map.to_occupied().radius_m())),
+      unknown(std::min(radius_m, map.to_unknown().radius_m()));
   Keep inside(-kVolumeTolerance_m);
   const Utime end = std::max(from, trajectory.end());
   for (Utime t = from;; t = std::min(t + kSample, end)) {
@@ -107,7 +126,8 @@ std::optional<Violation> FindViolation(const Trajectory& trajectory, Utime from,
     const TrajectoryPoint x = trajectory.At(t);
     const double v = x.v_W.norm(), a = x.a_W.norm();
     if (!(v <= kLimitTolerance * scene.limits.speed_max_mps)) return Violation{Violation::Kind::kSpeed, t, v};
-    if (!(a <= kLimitTolerance * scene.limits.acceleration_max_mps2)) return Violation{Violation::Kind::kAcceleration, t, a};
+    if (!(a <= kLimitTolerance * scene.limits.acceleration_max_mps2))
+      return Violation{Violation::Kind::kAcceleration, t, a};
   }
   Trajectory last;
   last.segments = {trajectory.segments.back()};
@@ -116,7 +136,8 @@ std::optional<Violation> FindViolation(const Trajectory& trajectory, Utime from,
     return Violation{Violation::Kind::kNoRest, end};
   if (const auto violation = FindMapViolation(trajectory, from, scene)) return violation;
   for (const Teammate& teammate : scene.teammates)
-    if (const auto violation = FindConflict(trajectory, from, teammate, scene.separation_m())) return violation;
+    if (const auto violation = FindConflict(trajectory, from, teammate, scene.separation_m()))
+      return violation;
   return std::nullopt;
 }
 

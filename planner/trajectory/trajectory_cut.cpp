@@ -46,7 +46,8 @@ std::vector<TrajectorySegment> Cut(const Trajectory& trajectory, Utime from, Uti
   return pieces;
 }
 
-Trajectory Splice(const Trajectory& flown, Utime now, Utime at, const std::vector<TrajectorySegment>& segments) {
+Trajectory Splice(const Trajectory& flown, Utime now, Utime at,
+                  const std::vector<TrajectorySegment>& segments) {
   Trajectory spliced;
   spliced.start = now;
   spliced.segments = Cut(flown, now, at);

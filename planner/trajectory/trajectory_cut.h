@@ -10,7 +10,8 @@ namespace citrine::planner {
 std::vector<TrajectorySegment> Cut(const Trajectory& trajectory, Utime from, Utime to);
 
 /// A motion that follows `flown` from `now` until `at`, then `segments`.
-Trajectory Splice(const Trajectory& flown, Utime now, Utime at, const std::vector<TrajectorySegment>& segments);
+Trajectory Splice(const Trajectory& flown, Utime now, Utime at,
+                  const std::vector<TrajectorySegment>& segments);
 
 /// `segment` from `begin_s` on, for `duration_s`.
 TrajectorySegment Shifted(const TrajectorySegment& segment, double begin_s, double duration_s);

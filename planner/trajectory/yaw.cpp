@@ -15,7 +15,8 @@ constexpr double kPeakOverMean = 1.875;  ///< of the rate of a quintic from rest
 
 }  // namespace
 
-void AddYaw(double yaw_rad, double yaw_rate_radps, double goal_yaw_rad, std::vector<TrajectorySegment>* segments) {
+void AddYaw(double yaw_rad, double yaw_rate_radps, double goal_yaw_rad,
+            std::vector<TrajectorySegment>* segments) {
   double duration_s = 0;
   for (const TrajectorySegment& segment : *segments) duration_s += segment.duration_s;
   if (duration_s <= 0) return;

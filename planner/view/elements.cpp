@@ -9,7 +9,8 @@ std::vector<Element> ListElements(const PlanningMap& map, const ActiveSurface& s
   const VoxelGrid& grid = map.grid();
   const SurfaceNormal whole(map, surface.goals().whole().w_star);
   std::vector<SurfaceNormal> of_region;
-  for (const QualityGoals::Region& region : surface.goals().regions()) of_region.emplace_back(map, region.goal.w_star);
+  for (const QualityGoals::Region& region : surface.goals().regions())
+    of_region.emplace_back(map, region.goal.w_star);
 
   std::vector<Element> elements;
   elements.reserve(surface.elements().size());

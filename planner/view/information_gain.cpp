@@ -15,7 +15,8 @@ int OccupiedFaces(const PlanningMap& map, const VoxelIndex& v) {
   for (int direction = 0; direction < 6; ++direction) {
     VoxelIndex n = v;
     n[direction / 2] += direction % 2 ? 1 : -1;
-    if (map.grid().Contains(n) && map.state(map.grid().Linear(n)) == VoxelState::kOccupied) bits |= 1 << direction;
+    if (map.grid().Contains(n) && map.state(map.grid().Linear(n)) == VoxelState::kOccupied)
+      bits |= 1 << direction;
   }
   return bits;
 }
@@ -33,7 +34,8 @@ InformationGain::InformationGain(const PlanningMap& map, const std::vector<Eleme
     : map_(map), window_(window), eta_m_(eta_m), clear_(map) {
   const VoxelGrid& grid = map.grid();
   std::vector<std::pair<int, int>> order;  // bucket, element
-  const Eigen::Vector3i cells = (grid.voxels().cast<double>() * grid.voxel_m() / kBucket_m).array().ceil().cast<int>();
+  const Eigen::Vector3i cells =
+      (grid.voxels().cast<double>() * grid.voxel_m() / kBucket_m).array().ceil().cast<int>();
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const Eigen::Vector3i c = ((elements[i].p_W - grid.origin_W()) / kBucket_m).cast<int>();
     order.emplace_back(c.x() + cells.x() * (c.y() + cells.y() * c.z()), static_cast<int>(i));
@@ -123,7 +125,8 @@ GainBound InformationGain::Bound(const Eigen::Vector3d& view_W) const {
       const float dx = x_[i] - v.x(), dy = y_[i] - v.y(), dz = z_[i] - v.z();
       const float rho2 = dx * dx + dy * dy, d2 = rho2 + dz * dz;
       const float rho = std::sqrt(rho2);
-      // The walk from the element begins along the longest axis; within the slack of a tie nothing is certain.
+      // The walk from the element begins along the longest axis; within the slack of a tie nothing is
+      // certain.
       const float ax = std::abs(dx), ay = std::abs(dy), az = std::abs(dz);
       const int along_x = (ax > ay + kSlack_m) & (ax > az + kSlack_m);
       const int along_y = (ay > ax + kSlack_m) & (ay > az + kSlack_m);

@@ -36,12 +36,13 @@ class InformationGain {
 
   Gain Evaluate(const Eigen::Vector3d& view_W) const;
 
-  /// As Evaluate, but gives up, with visible = -1, once it is certain that fewer than `visible_min` are visible.
+  /// As Evaluate, but gives up, with visible = -1, once it is certain that fewer than `visible_min` are
+  /// visible.
   /// @param bound what Bound() said of the view
   Gain Evaluate(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min) const;
 
-  /// At least what Evaluate gives, in both numbers. Leaves out elements that turn their back to the view and whose
-  /// neighbour on the first step towards it is occupied: those are hidden for certain.
+  /// At least what Evaluate gives, in both numbers. Leaves out elements that turn their back to the view and
+  /// whose neighbour on the first step towards it is occupied: those are hidden for certain.
   GainBound Bound(const Eigen::Vector3d& view_W) const;
 
  private:
@@ -58,7 +59,8 @@ class InformationGain {
   std::vector<Element> elements_;  ///< by bucket, then by voxel
   std::vector<float> x_, y_, z_;
   std::vector<float> normal_x_, normal_y_, normal_z_;
-  std::vector<int> backed_;          ///< bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is occupied
+  std::vector<int>
+      backed_;  ///< bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is occupied
   std::vector<float> near2_, far2_;  ///< squared ends of the interval of viewing distances [m^2]
   double far_worth_ = 0;             ///< the most that h is beyond it
   std::vector<Bucket> buckets_;

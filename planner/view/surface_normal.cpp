@@ -21,7 +21,8 @@ SurfaceNormal::SurfaceNormal(const PlanningMap& map, double w_star) : map_(map) 
 Eigen::Vector3d SurfaceNormal::At(const VoxelIndex& v) const {
   const VoxelGrid& grid = map_.grid();
   const auto linear = static_cast<std::ptrdiff_t>(grid.Linear(v));
-  const bool inner = ((v.array() > grid.inside_min().array()) && (v.array() + 1 < grid.inside_max().array())).all();
+  const bool inner =
+      ((v.array() > grid.inside_min().array()) && (v.array() + 1 < grid.inside_max().array())).all();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < kN26.size(); ++k) {
     const auto& o = kN26[k];

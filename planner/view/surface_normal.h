@@ -9,11 +9,12 @@
 
 namespace citrine::planner {
 
-/// Normals of surface elements after Hardouin et al. (IROS 2020), with confidence (paper, IV-A): the sum of the unit
-/// vectors to the 26 neighbours, each times its weight, positive where empty and negative where occupied.
+/// Normals of surface elements after Hardouin et al. (IROS 2020), with confidence (paper, IV-A): the sum of
+/// the unit vectors to the 26 neighbours, each times its weight, positive where empty and negative where
+/// occupied.
 ///
-/// Weights are clipped to w*. Where the quantised map carries none (outside the surface band) a known voxel counts with
-/// w*; an unknown one, or one outside the volume, with nothing.
+/// Weights are clipped to w*. Where the quantised map carries none (outside the surface band) a known voxel
+/// counts with w*; an unknown one, or one outside the volume, with nothing.
 class SurfaceNormal {
  public:
   SurfaceNormal(const PlanningMap& map, double w_star);

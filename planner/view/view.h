@@ -9,10 +9,10 @@ namespace citrine::planner {
 /// A view candidate v_e (paper, IV-A): a level pose that looks at the element which it was made for.
 struct View {
   enum class Kind : std::uint8_t {
-    kOptimal,   ///< along the normal within [d* - eta, d*]
-    kClose,     ///< along the normal, nearer
-    kFar,       ///< along the normal, farther
-    kAround,    ///< off the normal: what the paper's three samples cannot see (fallback of this project)
+    kOptimal,  ///< along the normal within [d* - eta, d*]
+    kClose,    ///< along the normal, nearer
+    kFar,      ///< along the normal, farther
+    kAround,   ///< off the normal: what the paper's three samples cannot see (fallback of this project)
   };
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
   double yaw_rad = 0;                             ///< towards the element

@@ -11,10 +11,11 @@ namespace citrine::planner {
 namespace {
 
 constexpr double kDegree = EIGEN_PI / 180;
-constexpr double kVertical = 0.1;         ///< sine of the tilt below which a normal has no azimuth
+constexpr double kVertical = 0.1;                   ///< sine of the tilt below which a normal has no azimuth
 constexpr double kFanCosine = 0.17364817766693041;  ///< of 80 degrees
 constexpr double kLattice_m = 0.5;
-constexpr double kImprovement = 0.97;     ///< of the range already seen from: 6 % more weight, beyond the code's 2 %
+constexpr double kImprovement =
+    0.97;  ///< of the range already seen from: 6 % more weight, beyond the code's 2 %
 
 View Make(const Eigen::Vector3d& p_W, const Element& element, View::Kind kind) {
   const Eigen::Vector3d to = element.p_W - p_W;
@@ -28,7 +29,8 @@ Eigen::Vector3d Direction(double azimuth_rad, double elevation_rad) {
 
 }  // namespace
 
-ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window, Safe safe, const Options& options)
+ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window, Safe safe,
+                             const Options& options)
     : map_(map),
       window_(window),
       safe_(std::move(safe)),
@@ -42,7 +44,8 @@ ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window,
 double ViewGenerator::UsefulRange(const Element& element) const {
   if (element.kind == SurfaceClass::kIse || options_.weights_are_sums || element.weight <= 0)
     return window_.range_max_m();
-  return std::min(window_.range_max_m(), std::max(kImprovement / std::sqrt(element.weight), element.d_star_m));
+  return std::min(window_.range_max_m(),
+                  std::max(kImprovement / std::sqrt(element.weight), element.d_star_m));
 }
 
 std::array<std::pair<double, View::Kind>, 3> ViewGenerator::Distances(const Element& element) const {
@@ -55,7 +58,8 @@ std::array<std::pair<double, View::Kind>, 3> ViewGenerator::Distances(const Elem
   return distances;
 }
 
-Eigen::Vector3d ViewGenerator::Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W) const {
+Eigen::Vector3d ViewGenerator::Turned(const Eigen::Vector3d& normal_W,
+                                      const Eigen::Vector3d& to_uav_W) const {
   const bool vertical = std::hypot(normal_W.x(), normal_W.y()) < kVertical;
   const Eigen::Vector3d& azimuth_of = vertical ? to_uav_W : normal_W;
   const double elevation = std::asin(std::clamp(normal_W.z(), -1.0, 1.0));
@@ -141,7 +145,8 @@ SharedViews::SharedViews(const VoxelGrid& grid)
 
 std::size_t SharedViews::CellOf(const Element& element) const {
   const Eigen::Vector3i c = (element.voxel - first_) / 3;
-  return static_cast<std::size_t>(c.x()) + static_cast<std::size_t>(cells_.x()) * (c.y() + static_cast<std::size_t>(cells_.y()) * c.z());
+  return static_cast<std::size_t>(c.x()) +
+         static_cast<std::size_t>(cells_.x()) * (c.y() + static_cast<std::size_t>(cells_.y()) * c.z());
 }
 
 int SharedViews::Leader(const std::vector<Element>& elements, int i) const {
@@ -149,7 +154,8 @@ int SharedViews::Leader(const std::vector<Element>& elements, int i) const {
   const Element& e = elements[i];
   for (int at = newest_[CellOf(e)]; at >= 0; at = chain_[at].second) {
     const Element& leader = elements[chain_[at].first];
-    if (leader.d_star_m == e.d_star_m && leader.attempts == e.attempts && leader.normal_W.dot(e.normal_W) >= kAlike)
+    if (leader.d_star_m == e.d_star_m && leader.attempts == e.attempts &&
+        leader.normal_W.dot(e.normal_W) >= kAlike)
       return chain_[at].first;
   }
   return -1;

@@ -14,15 +14,16 @@
 
 namespace citrine::planner {
 
-/// Makes view candidates (paper, IV-A), and beyond the paper finds views of elements that its samples cannot see.
+/// Makes view candidates (paper, IV-A), and beyond the paper finds views of elements that its samples cannot
+/// see.
 ///
-/// Samples along the normal, first safe one from which the element is not hidden: optimal at d* - eta/2, close at
-/// 0.6 (d* - eta), far at d* + 2 eta (at most r_max). A normal outside the field of view is turned towards the horizon to
-/// the limit minus 1 degree; a vertical one takes its azimuth from the UAV. An element that an earlier view failed to
-/// settle tries the close sample first: beams are denser there.
+/// Samples along the normal, first safe one from which the element is not hidden: optimal at d* - eta/2,
+/// close at 0.6 (d* - eta), far at d* + 2 eta (at most r_max). A normal outside the field of view is turned
+/// towards the horizon to the limit minus 1 degree; a vertical one takes its azimuth from the UAV. An element
+/// that an earlier view failed to settle tries the close sample first: beams are denser there.
 ///
-/// A view is only made from where the element can be improved: an LQSE from nearer than its weight says that it has been
-/// seen (the weight of one look at d is 1/d^2), unless weights are sums.
+/// A view is only made from where the element can be improved: an LQSE from nearer than its weight says that
+/// it has been seen (the weight of one look at d is 1/d^2), unless weights are sums.
 class ViewGenerator {
  public:
   struct Options {
@@ -37,12 +38,13 @@ class ViewGenerator {
   /// The paper's view of an element. nullopt: no sample is safe and sees it
   std::optional<View> AlongNormal(const Element& element, const Eigen::Vector3d& uav_W) const;
 
-  /// Fallback of this project: a fixed fan of 64 directions within 80 degrees of the normal, nearest to it first, at the same
-  /// distances; the first safe one with a clear sight through known space.
+  /// Fallback of this project: a fixed fan of 64 directions within 80 degrees of the normal, nearest to it
+  /// first, at the same distances; the first safe one with a clear sight through known space.
   std::optional<View> Around(const Element& element) const;
 
-  /// The last resort, and the test for "unreachable" (design, section 6): of all poses of a 0.5 m lattice that are safe and
-  /// see the element, the one with the fewest unknown voxels in between, then the distance nearest to the optimal one.
+  /// The last resort, and the test for "unreachable" (design, section 6): of all poses of a 0.5 m lattice
+  /// that are safe and see the element, the one with the fewest unknown voxels in between, then the distance
+  /// nearest to the optimal one.
   std::optional<View> Search(const Element& element) const;
 
   /// Whether a view still is safe and sees its element with use.
@@ -76,7 +78,7 @@ class SharedViews {
   std::size_t CellOf(const Element& element) const;
   Eigen::Vector3i cells_;
   VoxelIndex first_;
-  std::vector<int> newest_;          ///< by cell: the last leader, -1 none
+  std::vector<int> newest_;                 ///< by cell: the last leader, -1 none
   std::vector<std::pair<int, int>> chain_;  ///< leader, index of the one before it in its cell
 };
 

@@ -26,10 +26,12 @@ struct Score {
   double total = 0, information = 0, navigation = 0, coordination = 0;
 };
 
-/// Finds the view with the largest J = alpha J_I + beta J_N + gamma J_C (eq. 6) without evaluating all of them.
+/// Finds the view with the largest J = alpha J_I + beta J_N + gamma J_C (eq. 6) without evaluating all of
+/// them.
 ///
-/// Exact: J_I is bounded by the elements in range and field of view, and views are evaluated in the order of their bound
-/// until none can win; so is the normalising max |ASE_v| of eq. (8). Equal scores: the first in the list.
+/// Exact: J_I is bounded by the elements in range and field of view, and views are evaluated in the order of
+/// their bound until none can win; so is the normalising max |ASE_v| of eq. (8). Equal scores: the first in
+/// the list.
 class BestView {
  public:
   BestView(const InformationGain& gain, std::vector<ViewTerms> views, const ScoreWeights& weights);

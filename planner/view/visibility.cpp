@@ -7,10 +7,12 @@
 namespace citrine::planner {
 
 namespace {
-constexpr int kNearSteps = 6;  ///< walked before it is asked where the clear rest begins: most that is hidden ends here
+constexpr int kNearSteps =
+    6;  ///< walked before it is asked where the clear rest begins: most that is hidden ends here
 }  // namespace
 
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W, const ClearCells* clear) {
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+             const ClearCells* clear) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const VoxelGrid& grid = map.grid();
   const VoxelIndex end = grid.IndexOf(view_W);

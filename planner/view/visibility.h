@@ -14,11 +14,12 @@ struct Sight {
   int unknown = 0;     ///< u of eq. (7): unknown voxels in between; counted up to the first occupied one
 };
 
-/// Walks the voxels strictly between an element and a view, exactly (the segment from the element's centre to the view).
+/// Walks the voxels strictly between an element and a view, exactly (the segment from the element's centre to
+/// the view).
 ///
-/// The element's own voxel and the view's occlude nothing. Voxels that touch the element (the 26 around it) belong to the
-/// same surface: occupied ones do not occlude it from a view in front of it, that is where normal . (view - element) > 0.
-/// A view outside the grid sees nothing.
+/// The element's own voxel and the view's occlude nothing. Voxels that touch the element (the 26 around it)
+/// belong to the same surface: occupied ones do not occlude it from a view in front of it, that is where
+/// normal . (view - element) > 0. A view outside the grid sees nothing.
 /// @param clear of the same map: makes it faster and changes nothing; may be null
 Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
              const ClearCells* clear = nullptr);

@@ -11,9 +11,11 @@
 
 namespace citrine::planner {
 
-/// Whether a look from a position should settle an element: within d*, a degree inside the field of view, nothing occupied
-/// or unknown in between, and at most 72 degrees off the normal (beams that graze a surface miss voxels of it).
-bool WellSeen(const PlanningMap& map, const Element& element, const SensorWindow& window, const Eigen::Vector3d& p_W);
+/// Whether a look from a position should settle an element: within d*, a degree inside the field of view,
+/// nothing occupied or unknown in between, and at most 72 degrees off the normal (beams that graze a surface
+/// miss voxels of it).
+bool WellSeen(const PlanningMap& map, const Element& element, const SensorWindow& window,
+              const Eigen::Vector3d& p_W);
 
 /// The voxels of all elements of which that is true, ascending.
 std::vector<std::uint32_t> WellSeenFrom(const PlanningMap& map, const std::vector<Element>& elements,

@@ -8,8 +8,8 @@
 
 namespace citrine::sim {
 
-/// Counts collisions: the onset of a contact between a UAV and a partner, and a new one only after they were apart for
-/// kApart_s. Partner 0 is the world, else another UAV's id; between two UAVs it counts for both.
+/// Counts collisions: the onset of a contact between a UAV and a partner, and a new one only after they were
+/// apart for kApart_s. Partner 0 is the world, else another UAV's id; between two UAVs it counts for both.
 class ContactCounter {
  public:
   static constexpr double kApart_s = 0.5;

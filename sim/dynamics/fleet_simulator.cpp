@@ -15,8 +15,8 @@ double SubstepOf(const DynamicsSection& dynamics) {
   const double substep_s = dynamics.step_s / dynamics.substeps;
   if (substep_s > kSubstepMax_s * (1 + 1e-9)) {
     std::ostringstream message;
-    message << "dynamics.substeps = " << dynamics.substeps << ": makes ODE steps of " << substep_s * 1e3 << " ms; at most "
-            << kSubstepMax_s * 1e3 << " ms are allowed";
+    message << "dynamics.substeps = " << dynamics.substeps << ": makes ODE steps of " << substep_s * 1e3
+            << " ms; at most " << kSubstepMax_s * 1e3 << " ms are allowed";
     throw ConfigError(message.str());
   }
   return substep_s;
@@ -24,14 +24,16 @@ double SubstepOf(const DynamicsSection& dynamics) {
 
 }  // namespace
 
-FleetSimulator::FleetSimulator(const TriMesh& world, const std::vector<Eigen::Vector3d>& spawns_W, const UavSection& uav,
-                               const DynamicsSection& dynamics, std::uint64_t seed, const QuadrotorModel& model)
+FleetSimulator::FleetSimulator(const TriMesh& world, const std::vector<Eigen::Vector3d>& spawns_W,
+                               const UavSection& uav, const DynamicsSection& dynamics, std::uint64_t seed,
+                               const QuadrotorModel& model)
     : model_(model),
       substep_s_(SubstepOf(dynamics)),
       bodies_(world, model, spawns_W, seed),
       contacts_(static_cast<int>(spawns_W.size())) {
   for (std::size_t i = 0; i < spawns_W.size(); ++i) {
-    vehicles_.push_back({bodies_.state(static_cast<int>(i)), Rotors(model), Gust(uav.wind_gust_mps, seed, kGustStream + i),
+    vehicles_.push_back({bodies_.state(static_cast<int>(i)), Rotors(model),
+                         Gust(uav.wind_gust_mps, seed, kGustStream + i),
                          TrajectoryQueue(Hover(spawns_W[i], 0, 0))});
   }
 }

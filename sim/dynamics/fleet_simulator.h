@@ -17,12 +17,13 @@
 
 namespace citrine::sim {
 
-/// A fleet of quadrotors that fly the trajectories they are given: rotors with lag and limits, linear drag, gusts,
-/// contacts with the world and each other. UAVs are numbered 1..N. Same seed, same calls: same bits.
+/// A fleet of quadrotors that fly the trajectories they are given: rotors with lag and limits, linear drag,
+/// gusts, contacts with the world and each other. UAVs are numbered 1..N. Same seed, same calls: same bits.
 class FleetSimulator {
  public:
   /// Each UAV begins hovering at its spawn at mission time 0, heading along x.
-  /// @throws ConfigError if dynamics.step_s / dynamics.substeps is above 5 ms, too coarse for the attitude loop
+  /// @throws ConfigError if dynamics.step_s / dynamics.substeps is above 5 ms, too coarse for the attitude
+  /// loop
   FleetSimulator(const TriMesh& world, const std::vector<Eigen::Vector3d>& spawns_W, const UavSection& uav,
                  const DynamicsSection& dynamics, std::uint64_t seed, const QuadrotorModel& model = {});
 
@@ -36,7 +37,9 @@ class FleetSimulator {
   /// The true state at the end of the last step.
   const UavState& state(int uav) const { return vehicles_[static_cast<std::size_t>(uav - 1)].state; }
   /// [N] what the four rotors give at the end of the last step.
-  Eigen::Vector4d rotor_thrusts_N(int uav) const { return vehicles_[static_cast<std::size_t>(uav - 1)].rotors.thrusts_N(); }
+  Eigen::Vector4d rotor_thrusts_N(int uav) const {
+    return vehicles_[static_cast<std::size_t>(uav - 1)].rotors.thrusts_N();
+  }
 
  private:
   struct Vehicle {

@@ -15,7 +15,9 @@ using Eigen::Vector3d;
 constexpr double kPositionErrorMax_m = 1.0;
 constexpr double kVelocityErrorMax_mps = 5.0;
 
-Vector3d Shortened(const Vector3d& x, double length) { return x.norm() > length ? Vector3d(x.normalized() * length) : x; }
+Vector3d Shortened(const Vector3d& x, double length) {
+  return x.norm() > length ? Vector3d(x.normalized() * length) : x;
+}
 
 Vector3d Vee(const Matrix3d& skew) { return {skew(2, 1), skew(0, 2), skew(1, 0)}; }
 
@@ -28,7 +30,8 @@ Vector3d LimitTilt(Vector3d force, double tilt_max_rad) {
   return force;
 }
 
-/// Attitude whose z axis points along `b3` and whose x axis heads as near to `yaw_rad` as that allows (eq. 23).
+/// Attitude whose z axis points along `b3` and whose x axis heads as near to `yaw_rad` as that allows (eq.
+/// 23).
 Matrix3d AttitudeOf(const Vector3d& b3, double yaw_rad) {
   const Vector3d heading(std::cos(yaw_rad), std::sin(yaw_rad), 0);
   Matrix3d R;
@@ -49,14 +52,15 @@ Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, con
 
   // Everything per mass: the specific force that the rotors shall give, and its change along the reference.
   const Vector3d gravity(0, 0, kGravity_mps2);
-  const Vector3d force =
-      LimitTilt(reference.a_W + model.drag_per_s * reference.v_W + gravity - k_x * e_x - k_v * e_v, gains.tilt_max_rad);
+  const Vector3d force = LimitTilt(
+      reference.a_W + model.drag_per_s * reference.v_W + gravity - k_x * e_x - k_v * e_v, gains.tilt_max_rad);
   const Vector3d force_rate = reference.j_W + model.drag_per_s * reference.a_W;
 
   const Vector3d b3 = force.normalized();
   const Matrix3d R_c = AttitudeOf(b3, reference.yaw_rad);
   const Vector3d b3_rate = (force_rate - force_rate.dot(b3) * b3) / force.norm();
-  const Vector3d omega_c(-R_c.col(1).dot(b3_rate), R_c.col(0).dot(b3_rate), reference.yaw_rate_radps * b3.z());
+  const Vector3d omega_c(-R_c.col(1).dot(b3_rate), R_c.col(0).dot(b3_rate),
+                         reference.yaw_rate_radps * b3.z());
 
   const Matrix3d R = state.X_WB.q.toRotationMatrix();
   const Vector3d e_R = 0.5 * Vee(R_c.transpose() * R - R.transpose() * R_c);
@@ -72,8 +76,9 @@ Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, con
 
   Wrench wrench;
   wrench.thrust_N = std::max(0.0, model.mass_kg * force.dot(R.col(2)));
-  wrench.torque_B = J.cwiseProduct(-k_R.cwiseProduct(e_R) - k_omega.cwiseProduct(e_omega) - omega.cross(omega_c_B)) +
-                    omega.cross(J.cwiseProduct(omega));
+  wrench.torque_B =
+      J.cwiseProduct(-k_R.cwiseProduct(e_R) - k_omega.cwiseProduct(e_omega) - omega.cross(omega_c_B)) +
+      omega.cross(J.cwiseProduct(omega));
   return wrench;
 }
 

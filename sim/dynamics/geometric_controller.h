@@ -15,9 +15,9 @@ struct ControllerGains {
   double tilt_max_rad = 1.05;  ///< far from its reference a UAV leans this far at most
 };
 
-/// Geometric tracking control on SE(3) (Lee, Leok & McClamroch 2010), eqs. 19, 20 and 23, with the reference's drag fed
-/// forward (Faessler et al. 2018) and the reference's body rate taken from its jerk; its angular acceleration counts as
-/// zero. Far from the reference the position error is shortened to 1 m.
+/// Geometric tracking control on SE(3) (Lee, Leok & McClamroch 2010), eqs. 19, 20 and 23, with the
+/// reference's drag fed forward (Faessler et al. 2018) and the reference's body rate taken from its jerk; its
+/// angular acceleration counts as zero. Far from the reference the position error is shortened to 1 m.
 Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, const UavState& state,
                   const TrajectoryPoint& reference);
 

@@ -8,7 +8,8 @@ namespace {
 constexpr double kCorrelation_s = 1.5;
 }
 
-Gust::Gust(double peak_mps, std::uint64_t seed, std::uint64_t stream) : peak_mps_(peak_mps), random_(seed, stream) {}
+Gust::Gust(double peak_mps, std::uint64_t seed, std::uint64_t stream)
+    : peak_mps_(peak_mps), random_(seed, stream) {}
 
 void Gust::Step(double dt_s) {
   if (peak_mps_ <= 0) return;

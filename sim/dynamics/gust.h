@@ -8,8 +8,9 @@
 
 namespace citrine::sim {
 
-/// Seeded gusts at one UAV: white noise through a first-order filter on each axis, as Dryden's longitudinal spectrum at
-/// low airspeed. Standard deviation a third of the peak, vertically half of that; never beyond the peak.
+/// Seeded gusts at one UAV: white noise through a first-order filter on each axis, as Dryden's longitudinal
+/// spectrum at low airspeed. Standard deviation a third of the peak, vertically half of that; never beyond
+/// the peak.
 class Gust {
  public:
   /// @param peak_mps 0: calm  @param stream one a UAV

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include <Eigen/Geometry>
 #include <ode/ode.h>
+#include <Eigen/Geometry>
 
 #include "core/vehicle/airframe.h"
 
@@ -23,7 +23,8 @@ void StartEngine() {
 
 Eigen::Vector3d ToEigen(const dReal* x) { return {x[0], x[1], x[2]}; }
 
-/// Every triangle that has an area, and once more seen from behind: the engine's triangles are solid from one side only.
+/// Every triangle that has an area, and once more seen from behind: the engine's triangles are solid from one
+/// side only.
 std::vector<std::array<int, 3>> TwoSided(const TriMesh& mesh) {
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(2 * mesh.triangles.size());
@@ -44,7 +45,7 @@ struct RigidBodies::Impl {
   dSpaceID space = nullptr;
   dJointGroupID contacts = nullptr;
   dTriMeshDataID mesh_data = nullptr;
-  std::vector<Eigen::Vector3f> vertices_W;         ///< the engine keeps pointers into these two
+  std::vector<Eigen::Vector3f> vertices_W;  ///< the engine keeps pointers into these two
   std::vector<std::array<int, 3>> triangles;
   std::vector<dBodyID> bodies;
   std::vector<Touch> touches;
@@ -95,8 +96,8 @@ struct RigidBodies::Impl {
   }
 };
 
-RigidBodies::RigidBodies(const TriMesh& world, const QuadrotorModel& model, const std::vector<Eigen::Vector3d>& p_W,
-                         std::uint64_t seed)
+RigidBodies::RigidBodies(const TriMesh& world, const QuadrotorModel& model,
+                         const std::vector<Eigen::Vector3d>& p_W, std::uint64_t seed)
     : impl_(std::make_unique<Impl>()) {
   StartEngine();
   impl_->seed = seed;
@@ -124,10 +125,12 @@ void RigidBodies::Exert(int body, const Wrench& wrench_B, const Eigen::Vector3d&
 }
 
 std::vector<Touch> RigidBodies::Step(double dt_s) {
-  // The engine has one random state a process; with several simulations in it each brings its own to every step.
+  // The engine has one random state a process; with several simulations in it each brings its own to every
+  // step.
   dRandSetSeed(static_cast<unsigned long>((impl_->seed * 1000003 + impl_->steps++) & 0xffffffff));
   impl_->touches.clear();
-  dSpaceCollide(impl_->space, impl_.get(), [](void* impl, dGeomID a, dGeomID b) { static_cast<Impl*>(impl)->Collide(a, b); });
+  dSpaceCollide(impl_->space, impl_.get(),
+                [](void* impl, dGeomID a, dGeomID b) { static_cast<Impl*>(impl)->Collide(a, b); });
   dWorldStep(impl_->world, dt_s);
   dJointGroupEmpty(impl_->contacts);
   return impl_->touches;

@@ -18,8 +18,8 @@ struct Touch {
   int other = kWorld;
 };
 
-/// Airframes as spheres of kAirframeRadius_m under gravity, and a world of triangles that are solid from both sides, in
-/// the Open Dynamics Engine. One thread; the same calls give the same bits.
+/// Airframes as spheres of kAirframeRadius_m under gravity, and a world of triangles that are solid from both
+/// sides, in the Open Dynamics Engine. One thread; the same calls give the same bits.
 class RigidBodies {
  public:
   RigidBodies(const TriMesh& world, const QuadrotorModel& model, const std::vector<Eigen::Vector3d>& p_W,

@@ -67,10 +67,11 @@ TEST(ChannelTable, HasTypesThatBeginWithTimeAndCountAndHaveABlobLast) {
 // lcm-gen takes a name as it is: one that Python, Java or JavaScript reserves cannot be read there.
 TEST(ChannelTable, HasFieldsWhoseNamesAreFreeInEveryLanguageOfLcm) {
   const std::set<std::string> reserved = {
-      "and",    "as",   "assert", "async", "await",  "class",   "def",   "default", "del",     "delete",
-      "except", "exec", "final",  "for",   "from",   "function", "global", "if",     "import",  "in",
-      "is",     "lambda", "len",  "let",   "native", "new",     "not",   "or",      "package", "pass",
-      "print",  "raise", "self",  "super", "this",   "try",     "typeof", "var",    "while",   "with", "yield"};
+      "and",    "as",      "assert", "async",  "await", "class", "def",      "default", "del",
+      "delete", "except",  "exec",   "final",  "for",   "from",  "function", "global",  "if",
+      "import", "in",      "is",     "lambda", "len",   "let",   "native",   "new",     "not",
+      "or",     "package", "pass",   "print",  "raise", "self",  "super",    "this",    "try",
+      "typeof", "var",     "while",  "with",   "yield"};
   for (const SourceFile& file : FilesUnder("lcmtypes", {".lcm"}))
     for (const std::string& line : file.lines)
       if (std::smatch m; std::regex_match(line, m, kField)) {

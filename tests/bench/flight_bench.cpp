@@ -21,7 +21,8 @@ class Laps {
   void Lap(Work&& work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
-    ms_.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    ms_.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
   }
   void Report(benchmark::State& state) {
     if (ms_.empty()) return;
@@ -37,7 +38,8 @@ class Laps {
 
 /// A forest in a volume of the House's size.
 const PlanningMap& House() {
-  static const PlanningMap map = MapOf({45, 40, 20}, DistanceToForest(Forest(1, 45, 60, {3, 3, 3}, {3, 3, 3})));
+  static const PlanningMap map =
+      MapOf({45, 40, 20}, DistanceToForest(Forest(1, 45, 60, {3, 3, 3}, {3, 3, 3})));
   return map;
 }
 
@@ -62,7 +64,8 @@ void FindPath(benchmark::State& state) {
 BENCHMARK(FindPath)->Iterations(300)->Unit(benchmark::kMillisecond);
 
 void FindUnreachable(benchmark::State& state) {
-  static const PlanningMap map = MapOf({45, 40, 20}, [](const Vector3d& p) { return std::abs((p - Vector3d(38, 33, 10)).norm() - 4) - 0.3; });
+  static const PlanningMap map = MapOf(
+      {45, 40, 20}, [](const Vector3d& p) { return std::abs((p - Vector3d(38, 33, 10)).norm() - 4) - 0.3; });
   PathSearch search(map, {}, 0.1);
   search.Find({3, 3, 3}, {4, 3, 3});
   Laps laps;
@@ -98,7 +101,8 @@ void SmoothAndCheck(benchmark::State& state) {
   for (auto _ : state) {
     SmoothingTask task;
     for (;;) {
-      const Vector3d from = SafePoint(search.reachable(), &random), to = SafePoint(search.reachable(), &random);
+      const Vector3d from = SafePoint(search.reachable(), &random),
+                     to = SafePoint(search.reachable(), &random);
       if ((from - to).norm() < 5 || (from - to).norm() > 14) continue;
       const auto path = search.Find(from, to);
       if (!path) continue;

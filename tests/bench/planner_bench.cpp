@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <ctime>
 
-#include "planner/strategy/candidate_views.h"
 #include "planner/path/reachable_set.h"
+#include "planner/strategy/candidate_views.h"
 #include "planner/view/view_score.h"
 #include "tests/support/random_map.h"
 
@@ -13,7 +13,8 @@ using namespace citrine::planner;
 
 namespace {
 double NowMs() {
-  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // of this process: other load does not count
+  return 1e3 * static_cast<double>(std::clock()) /
+         CLOCKS_PER_SEC;  // of this process: other load does not count
 }
 }  // namespace
 
@@ -28,17 +29,22 @@ int main() {
     ReachableSet reachable(world.map, VehicleLimits(), 0.1);
     reachable.Update(world.Point({26, 26, 8}));
     const SensorWindow window{LidarModel()};
-    const ViewGenerator generator(
-        world.map, window,
-        [&](const Eigen::Vector3d& p_W) { return reachable.Reaches(p_W) && reachable.space().Slack(p_W) >= 0; }, {});
+    const ViewGenerator generator(world.map, window,
+                                  [&](const Eigen::Vector3d& p_W) {
+                                    return reachable.Reaches(p_W) && reachable.space().Slack(p_W) >= 0;
+                                  },
+                                  {});
     ElementMemory memory(world.map.grid(), 10);
     const double t0 = NowMs();
-    const std::vector<Element> elements = ListElements(world.map, surface, [](std::uint32_t v) { return v % 3 != 0; });
+    const std::vector<Element> elements =
+        ListElements(world.map, surface, [](std::uint32_t v) { return v % 3 != 0; });
     const double t1 = NowMs();
-    const Candidates candidates = MakeCandidates(world.map, elements, generator, true, {13, 13, 4}, {300, 40}, memory);
+    const Candidates candidates =
+        MakeCandidates(world.map, elements, generator, true, {13, 13, 4}, {300, 40}, memory);
     const double t2 = NowMs();
     std::vector<ViewTerms> terms;
-    for (const View& view : candidates.views) terms.push_back({view.p_W, world.random().Uniform() * 0.5, world.random().Uniform()});
+    for (const View& view : candidates.views)
+      terms.push_back({view.p_W, world.random().Uniform() * 0.5, world.random().Uniform()});
     const InformationGain gain(world.map, elements, window, 0.5);
     BestView best(gain, std::move(terms), {});
     best.Next();
@@ -55,7 +61,8 @@ int main() {
     std::sort(ms.begin(), ms.end());
     std::printf("%-10s p50 %6.1f ms  p95 %6.1f ms\n", name, ms[ms.size() / 2], ms[ms.size() * 95 / 100]);
   };
-  std::printf("%zu elements, %zu views, %d evaluated (means)\n", elements_seen / 20, views_seen / 20, evaluated / 20);
+  std::printf("%zu elements, %zu views, %d evaluated (means)\n", elements_seen / 20, views_seen / 20,
+              evaluated / 20);
   print("elements", list);
   print("views", make);
   print("score", score);

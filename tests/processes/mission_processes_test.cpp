@@ -31,8 +31,8 @@ class MissionProcesses : public ::testing::Test {
     return std::string(CITRINE_BIN_DIR) + "/launch run smoke --out " + (out_ / folder).string() + " " +
            options;
   }
-  /// Flies in the background at pace 1 and acts once the mission is under way, with `$launch` and `$modules`, the processes'
-  /// ids. Says "left ID" of every process that outlives the launcher.
+  /// Flies in the background at pace 1 and acts once the mission is under way, with `$launch` and `$modules`,
+  /// the processes' ids. Says "left ID" of every process that outlives the launcher.
   CommandResult RunAndThen(const std::string& options, const std::string& action) const {
     const std::string log = (out_ / "run/mission.toml").string();
     return RunCommandLine(Run("--pace 1 " + options) + " & launch=$!; for i in $(seq 300); do [ -e " + log +
@@ -41,8 +41,8 @@ class MissionProcesses : public ::testing::Test {
                           "grep -qs '^State:.[^ZX]' /proc/$pid/status && echo left $pid; done; exit $code");
   }
   void ExpectResults() const {
-    for (const char* file : {"metrics.json", "mission.lcmlog", "mission.toml", "mesh.ply", "map.bt", "uav1.tum",
-                             "progress.csv", "topdown.png", "report.html"})
+    for (const char* file : {"metrics.json", "mission.lcmlog", "mission.toml", "mesh.ply", "map.bt",
+                             "uav1.tum", "progress.csv", "topdown.png", "report.html"})
       EXPECT_TRUE(fs::exists(out_ / "run" / file)) << file;
   }
 
@@ -82,7 +82,8 @@ TEST_F(MissionProcesses, WriteTheirResultsWhenTheOneProcessIsInterrupted) {
 }
 
 TEST_F(MissionProcesses, AreNamedWhenTheyDie) {
-  const CommandResult run = RunAndThen("--isolate", "kill -KILL $(pgrep -P $launch view_planner | head -n 1)");
+  const CommandResult run =
+      RunAndThen("--isolate", "kill -KILL $(pgrep -P $launch view_planner | head -n 1)");
   EXPECT_EQ(run.exit_code, 4) << run.output;
   EXPECT_THAT(run.output, ContainsRegex("view_planner[^ ]* died \\(SIGKILL\\)"));
   ExpectResults();

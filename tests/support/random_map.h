@@ -9,7 +9,8 @@
 
 namespace citrine::testing {
 
-/// A planning map of boxes in known and unknown space: distances by brute force to the boxes, weights at random.
+/// A planning map of boxes in known and unknown space: distances by brute force to the boxes, weights at
+/// random.
 class RandomMap {
  public:
   explicit RandomMap(std::uint64_t seed, const Eigen::Vector3d& size_m = {12, 10, 8}, int boxes = 6)
@@ -18,7 +19,8 @@ class RandomMap {
         quantisation_(0.5, 1 / (4.5 * 4.5)),
         map(grid_, quantisation_) {
     for (int i = 0; i < boxes; ++i) {
-      const Eigen::Vector3d corner = Point(size_m), extent = Point({2, 2, 3}) + Eigen::Vector3d::Constant(0.3);
+      const Eigen::Vector3d corner = Point(size_m),
+                            extent = Point({2, 2, 3}) + Eigen::Vector3d::Constant(0.3);
       boxes_.emplace_back(corner, corner + extent);
     }
     for (int i = 0; i < 3; ++i) {

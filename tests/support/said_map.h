@@ -11,7 +11,8 @@
 
 namespace citrine::test {
 
-/// Says a mission's whole map, as a base station does that knows every voxel and has seen all surfaces from twice d*.
+/// Says a mission's whole map, as a base station does that knows every voxel and has seen all surfaces from
+/// twice d*.
 /// @param distance_m signed distance of a point to the nearest surface
 inline void SayMap(const MissionConfig& config, Bus& bus,
                    const std::function<double(const Eigen::Vector3d&)>& distance_m) {
@@ -37,8 +38,8 @@ inline void SayMap(const MissionConfig& config, Bus& bus,
   }
   for (const citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks))
     bus.Publish(channels::kMapBlocks, message);
-  bus.Publish(channels::kMapSummary, Encode(MapSummary{map.grid(), codes.truncation_m(), codes.weight_max(), 1,
-                                                       map.num_blocks_known(), map.Digest()}));
+  bus.Publish(channels::kMapSummary, Encode(MapSummary{map.grid(), codes.truncation_m(), codes.weight_max(),
+                                                       1, map.num_blocks_known(), map.Digest()}));
 }
 
 }  // namespace citrine::test

@@ -12,8 +12,8 @@
 
 namespace citrine::test {
 
-/// A small yard with a box in it, for modules that hear the map: one module under test and its peers, on one bus in this
-/// process, stepped by 20 ms.
+/// A small yard with a box in it, for modules that hear the map: one module under test and its peers, on one
+/// bus in this process, stepped by 20 ms.
 template <class M>
 class YardFlight {
  public:

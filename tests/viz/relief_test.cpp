@@ -22,7 +22,9 @@ double SlopeAndTable(const Vector3d& p) {
 }
 
 struct ReliefOfTable : testing::Test {
-  std::unique_ptr<PlanningMap> map = MapOf(kVolume, SlopeAndTable, [](const Vector3d& p) { return p.y() < -6 ? 20.0 : p.y() < 0 ? 9.0 : 3.0; });
+  std::unique_ptr<PlanningMap> map = MapOf(kVolume, SlopeAndTable, [](const Vector3d& p) {
+    return p.y() < -6 ? 20.0 : p.y() < 0 ? 9.0 : 3.0;
+  });
   Scene scene;
   Relief relief;
 

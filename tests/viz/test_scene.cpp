@@ -23,7 +23,8 @@ double Pole(const Vector3d& p, double x, double y, double radius, double height)
 /// House with a gable roof along x.
 double House(const Vector3d& p) {
   const double walls = Box(p, {-7, 4, 2}, {5, 3.5, 2});
-  const double roof = std::max({(p.z() - 4) * 0.8 + (std::abs(p.y() - 4) - 4) * 0.6, std::abs(p.x() + 7) - 5.6, 3.8 - p.z()});
+  const double roof =
+      std::max({(p.z() - 4) * 0.8 + (std::abs(p.y() - 4) - 4) * 0.6, std::abs(p.x() + 7) - 5.6, 3.8 - p.z()});
   const double chimney = Box(p, {-9.5, 5.5, 5}, {0.5, 0.5, 2.6});
   return std::min({walls, roof, chimney});
 }
@@ -33,22 +34,29 @@ double Playground(const Vector3d& p) {
   for (const double x : {7.6, 10.4})
     for (const double y : {-8.4, -5.6}) d = std::min(d, Pole(p, x, y, 0.3, 3.6));
   const Vector3d slide(p.x() - 13, p.y() + 7, p.z() - 1.2);
-  d = std::min(d, std::max({std::abs(0.88 * slide.z() + 0.47 * slide.x()) - 0.25, std::abs(slide.y()) - 0.8, std::abs(slide.x()) - 2.6}));
+  d = std::min(d, std::max({std::abs(0.88 * slide.z() + 0.47 * slide.x()) - 0.25, std::abs(slide.y()) - 0.8,
+                            std::abs(slide.x()) - 2.6}));
   return std::min(d, (p - Vector3d(4, -11, 0.6)).norm() - 1.4);
 }
 
 double Settlement(const Vector3d& p) {
-  const double cars = std::min({Box(p, {8, 9, 0.5}, {2.1, 0.9, 0.5}), Box(p, {7.6, 9, 1.1}, {1.1, 0.8, 0.5}),
-                                Box(p, {14, 5, 0.5}, {0.9, 2.1, 0.5}), Box(p, {14, 5.3, 1.1}, {0.8, 1.1, 0.5})});
+  const double cars =
+      std::min({Box(p, {8, 9, 0.5}, {2.1, 0.9, 0.5}), Box(p, {7.6, 9, 1.1}, {1.1, 0.8, 0.5}),
+                Box(p, {14, 5, 0.5}, {0.9, 2.1, 0.5}), Box(p, {14, 5.3, 1.1}, {0.8, 1.1, 0.5})});
   const double wall = Box(p, {-14, -12, 1}, {5, 0.4, 1.2});
   return std::min({p.z(), House(p), Playground(p), cars, wall});
 }
 
 Vector3d Trail(int uav, double t) {
   switch (uav) {
-    case 1: return {-7 + 8.5 * std::cos(0.13 * t + 2), 4 + 7.5 * std::sin(0.13 * t + 2), 5 + 2.5 * std::sin(0.05 * t)};
-    case 2: return {9 + 6 * std::cos(0.16 * t), -7 + 5.5 * std::sin(0.16 * t), 4 + std::sin(0.1 * t)};
-    default: return {12 + 6.5 * std::cos(0.12 * t - 2.6), 8 + 5 * std::sin(0.12 * t - 2.6), 3.5 + 0.8 * std::sin(0.07 * t)};
+    case 1:
+      return {-7 + 8.5 * std::cos(0.13 * t + 2), 4 + 7.5 * std::sin(0.13 * t + 2),
+              5 + 2.5 * std::sin(0.05 * t)};
+    case 2:
+      return {9 + 6 * std::cos(0.16 * t), -7 + 5.5 * std::sin(0.16 * t), 4 + std::sin(0.1 * t)};
+    default:
+      return {12 + 6.5 * std::cos(0.12 * t - 2.6), 8 + 5 * std::sin(0.12 * t - 2.6),
+              3.5 + 0.8 * std::sin(0.07 * t)};
   }
 }
 
@@ -58,7 +66,8 @@ SceneUav UavAt(int id) {
   SceneUav uav;
   uav.id = id;
   for (double t = 0; t <= kNow_s; t += 0.1) uav.trail_W.push_back(Trail(id, t));
-  for (std::size_t i = 1; i < uav.trail_W.size(); ++i) uav.flown_m += (uav.trail_W[i] - uav.trail_W[i - 1]).norm();
+  for (std::size_t i = 1; i < uav.trail_W.size(); ++i)
+    uav.flown_m += (uav.trail_W[i] - uav.trail_W[i - 1]).norm();
   uav.state.X_WB.p = uav.trail_W.back();
   uav.state.v_W = (Trail(id, kNow_s) - Trail(id, kNow_s - 0.1)) / 0.1 * 2.4;
   const double yaw = std::atan2(uav.state.v_W.y(), uav.state.v_W.x());
@@ -88,7 +97,8 @@ SceneUav UavAt(int id) {
 
 }  // namespace
 
-std::unique_ptr<PlanningMap> MapOf(const Eigen::AlignedBox3d& volume_W, const Shape& shape, const SeenFrom& seen_from) {
+std::unique_ptr<PlanningMap> MapOf(const Eigen::AlignedBox3d& volume_W, const Shape& shape,
+                                   const SeenFrom& seen_from) {
   const double truncation_m = 0.5;
   const VoxelGrid grid(0.25, volume_W, truncation_m + 0.25);
   const Quantisation quantisation(truncation_m, QualityGoal{}.w_star);
@@ -106,7 +116,8 @@ std::unique_ptr<PlanningMap> MapOf(const Eigen::AlignedBox3d& volume_W, const Sh
       const double range_m = seen_from(p_W);
       if (range_m > 10) continue;
       block.distance[i] = quantisation.DistanceCode(distance_m);
-      if (std::abs(distance_m) < truncation_m) block.weight[i] = quantisation.WeightCode(1 / (range_m * range_m));
+      if (std::abs(distance_m) < truncation_m)
+        block.weight[i] = quantisation.WeightCode(1 / (range_m * range_m));
     }
     map->Apply(block);
   }
@@ -123,12 +134,14 @@ TestScene::TestScene() {
   const auto seen_from = [&](const Vector3d& p_W) {
     double nearest_m = 100;
     for (const SceneUav& uav : scene.uavs)
-      for (std::size_t i = 0; i < uav.trail_W.size(); i += 20) nearest_m = std::min(nearest_m, (uav.trail_W[i] - p_W).norm());
+      for (std::size_t i = 0; i < uav.trail_W.size(); i += 20)
+        nearest_m = std::min(nearest_m, (uav.trail_W[i] - p_W).norm());
     return nearest_m + 0.7 * std::sin(1.3 * p_W.x()) * std::cos(1.1 * p_W.y());
   };
   map = MapOf(volume_W, Settlement, seen_from);
   scene.map = map.get();
-  scene.goals = QualityGoals({}, {{{Vector3d(5, -13, 0), Vector3d(16, -3, 6)}, QualityGoal::FromDistance(3.5)}});
+  scene.goals =
+      QualityGoals({}, {{{Vector3d(5, -13, 0), Vector3d(16, -3, 6)}, QualityGoal::FromDistance(3.5)}});
 
   Random random(3);
   for (int i = 0; i < 30000; ++i) {
@@ -144,7 +157,8 @@ TestScene::TestScene() {
   scene.progress.z_goal = 0.0494;
   scene.progress.z_bar_sat = 0.0402;
   scene.progress.known_pct = 61.3;
-  for (double t = 0; t <= kNow_s; t += 0.5) scene.history.push_back({t, 0.66 * (1 - std::exp(-t / 16)) * std::min(1.0, t / 5)});
+  for (double t = 0; t <= kNow_s; t += 0.5)
+    scene.history.push_back({t, 0.66 * (1 - std::exp(-t / 16)) * std::min(1.0, t / 5)});
 }
 
 }  // namespace citrine::viz

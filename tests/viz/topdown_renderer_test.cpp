@@ -41,7 +41,8 @@ TEST(TopdownRenderer, ShowsEveryUavInItsColour) {
   for (const SceneUav& uav : test.scene.uavs) {
     Scene alone = test.scene;
     alone.uavs.clear();
-    EXPECT_GT(CountOf(renderer.Draw(test.scene), UavColour(uav.id)), 50 + CountOf(renderer.Draw(alone), UavColour(uav.id)));
+    EXPECT_GT(CountOf(renderer.Draw(test.scene), UavColour(uav.id)),
+              50 + CountOf(renderer.Draw(alone), UavColour(uav.id)));
   }
 }
 

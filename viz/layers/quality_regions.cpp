@@ -11,7 +11,8 @@ void DrawQualityRegions(const Scene& scene, const Relief&, Canvas& canvas) {
     const Pixel a = canvas.ToPixel(region.box_W.min());
     const Pixel b = canvas.ToPixel(region.box_W.max());
     const Eigen::AlignedBox2d box(a.cwiseMin(b), a.cwiseMax(b));
-    const std::vector<Pixel> around{box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}, box.min()};
+    const std::vector<Pixel> around{
+        box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}, box.min()};
     const double s = canvas.scale();
     canvas.Polyline(around, kOutline, 4 * s, 0.6);
     canvas.Dashes(around, kText, 2 * s, 9 * s);

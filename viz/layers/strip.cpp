@@ -34,7 +34,8 @@ void DrawValue(const std::string& name, const std::string& value, Canvas& canvas
 namespace {
 
 double ReachedShare(const MissionProgress& progress) {
-  return progress.surface_voxels > 0 ? static_cast<double>(progress.voxels_at_goal) / progress.surface_voxels : 0.0;
+  return progress.surface_voxels > 0 ? static_cast<double>(progress.voxels_at_goal) / progress.surface_voxels
+                                     : 0.0;
 }
 
 void DrawTitle(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
@@ -42,7 +43,8 @@ void DrawTitle(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   cursor.y += 46 * s;
   canvas.Text({cursor.left, cursor.y}, scene.mission, kText, 20 * s, Canvas::Align::kLeft, true);
   const auto seconds = static_cast<int>(Seconds(scene.now));
-  canvas.Text({cursor.right, cursor.y}, Format("%d:%02d", seconds / 60, seconds % 60), kText, 20 * s, Canvas::Align::kRight);
+  canvas.Text({cursor.right, cursor.y}, Format("%d:%02d", seconds / 60, seconds % 60), kText, 20 * s,
+              Canvas::Align::kRight);
   cursor.y += 26 * s;
   canvas.Text({cursor.left, cursor.y}, scene.strategy, kTextDim, 11.5 * s);
 }
@@ -52,8 +54,10 @@ void DrawReached(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   const double s = cursor.s;
   const double share = ReachedShare(scene.progress);
   cursor.y += 62 * s;
-  canvas.Text({cursor.left, cursor.y}, Format("%.1f %%", 100 * share), kText, 24 * s, Canvas::Align::kLeft, true);
-  canvas.Text({cursor.right, cursor.y}, "of the surface reached w*", kTextDim, 10.5 * s, Canvas::Align::kRight);
+  canvas.Text({cursor.left, cursor.y}, Format("%.1f %%", 100 * share), kText, 24 * s, Canvas::Align::kLeft,
+              true);
+  canvas.Text({cursor.right, cursor.y}, "of the surface reached w*", kTextDim, 10.5 * s,
+              Canvas::Align::kRight);
   cursor.y += 14 * s;
   const Pixel corner(cursor.left, cursor.y);
   canvas.Fill({corner, corner + Pixel(cursor.width(), 7 * s)}, kRule);
@@ -88,7 +92,8 @@ void DrawStrip(const Scene& scene, const Relief&, Canvas& canvas) {
   DrawValue("incomplete elements", Format("%d", progress.elements_ise), canvas, cursor);
   DrawValue("low-quality elements", Format("%d", progress.elements_lqse), canvas, cursor);
   DrawValue("quality, of its goal",
-            progress.z_goal > 0 ? Format("%.1f %%", 100 * progress.z_bar_sat / progress.z_goal) : "-", canvas, cursor);
+            progress.z_goal > 0 ? Format("%.1f %%", 100 * progress.z_bar_sat / progress.z_goal) : "-", canvas,
+            cursor);
   DrawValue("volume known", Format("%.1f %%", progress.known_pct), canvas, cursor);
   DrawFleetPart(scene, canvas, cursor);
   DrawLegendPart(scene, canvas, cursor);

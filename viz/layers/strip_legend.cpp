@@ -15,12 +15,13 @@ void DrawColourBar(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   }
   cursor.y += 30 * s;
   canvas.Text({cursor.left, cursor.y}, "confidence 0", kText, 10.5 * s);
-  canvas.Text({cursor.right, cursor.y}, Format("w* (d* = %.1f m)", scene.goals.whole().d_star_m), kText, 10.5 * s,
-              Canvas::Align::kRight);
+  canvas.Text({cursor.right, cursor.y}, Format("w* (d* = %.1f m)", scene.goals.whole().d_star_m), kText,
+              10.5 * s, Canvas::Align::kRight);
 }
 
 template <class Mark>
-void DrawEntry(const std::string& text, Canvas& canvas, StripCursor& cursor, double column, const Mark& mark) {
+void DrawEntry(const std::string& text, Canvas& canvas, StripCursor& cursor, double column,
+               const Mark& mark) {
   const double s = cursor.s;
   const Pixel at(cursor.left + column * cursor.width(), cursor.y);
   mark(Pixel(at + Pixel(10 * s, -4.5 * s)));
@@ -39,9 +40,11 @@ void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   DrawColourBar(scene, canvas, cursor);
   cursor.y += 26 * s;
   DrawEntry("incomplete", canvas, cursor, 0, [&](const Pixel& at) { canvas.Disc(at, 3 * s, kIncomplete); });
-  DrawEntry("low quality", canvas, cursor, 0.5, [&](const Pixel& at) { canvas.Disc(at, 3 * s, kLowQuality); });
+  DrawEntry("low quality", canvas, cursor, 0.5,
+            [&](const Pixel& at) { canvas.Disc(at, 3 * s, kLowQuality); });
   cursor.y += 23 * s;
-  DrawEntry("next view", canvas, cursor, 0, [&](const Pixel& at) { canvas.Ring(at, 6 * s, UavColour(1), 2 * s); });
+  DrawEntry("next view", canvas, cursor, 0,
+            [&](const Pixel& at) { canvas.Ring(at, 6 * s, UavColour(1), 2 * s); });
   DrawEntry("trajectory", canvas, cursor, 0.5, [&](const Pixel& at) {
     canvas.Polyline({at - Pixel(10 * s, 0), at + Pixel(10 * s, 0)}, kText, 3 * s);
   });

@@ -13,7 +13,8 @@ using testing::RandomMap;
 
 QualityGoals TwoRegions() {
   return QualityGoals(QualityGoal::FromDistance(4.5),
-                      {{Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(5, 5, 8)), QualityGoal::FromDistance(8)}});
+                      {{Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(5, 5, 8)),
+                        QualityGoal::FromDistance(8)}});
 }
 
 /// Definitions 1 and 3 by the letter.
@@ -32,11 +33,13 @@ SurfaceClass ByDefinition(const PlanningMap& map, const QualityGoals& goals, con
         empty6 |= steps == 1 && state(n) == VoxelState::kEmpty;
         occupied18 |= steps <= 2 && state(n) == VoxelState::kOccupied;
       }
-  if (state(v) == VoxelState::kEmpty) return unknown6 && occupied18 ? SurfaceClass::kIse : SurfaceClass::kNone;
+  if (state(v) == VoxelState::kEmpty)
+    return unknown6 && occupied18 ? SurfaceClass::kIse : SurfaceClass::kNone;
   const std::size_t i = grid.Linear(v);
   if (state(v) == VoxelState::kUnknown || std::abs(map.distance_m(i)) >= grid.voxel_m() || !empty6)
     return SurfaceClass::kNone;
-  return map.weight(i) >= 0.9999 * goals.At(grid.Centre(v)).w_star ? SurfaceClass::kReached : SurfaceClass::kLqse;
+  return map.weight(i) >= 0.9999 * goals.At(grid.Centre(v)).w_star ? SurfaceClass::kReached
+                                                                   : SurfaceClass::kLqse;
 }
 
 void ExpectByDefinition(const PlanningMap& map, const ActiveSurface& surface) {
@@ -67,7 +70,8 @@ TEST(ActiveSurface, MaintainedBlockByBlockEqualsAComputationFromScratch) {
   surface.Update(world.map);
   world.Reveal();
   for (int round = 0; round < 20; ++round) {
-    for (int k = 0; k < 5; ++k) world.Say(static_cast<int>(world.random().Below(world.map.grid().num_blocks())));
+    for (int k = 0; k < 5; ++k)
+      world.Say(static_cast<int>(world.random().Below(world.map.grid().num_blocks())));
     world.map.Update();
     if (round % 3 == 2) continue;  // a hearer may miss an update
     surface.Update(world.map);

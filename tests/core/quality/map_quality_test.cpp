@@ -30,7 +30,8 @@ TEST(MapQuality, IsTheMeanOfEquations2To4OverTheSurfaceVoxels) {
   const MissionProgress progress = ProgressOf(world.map, surface, true, 9);
   EXPECT_EQ(progress.surface_voxels, voxels);
   EXPECT_EQ(progress.voxels_at_goal + progress.elements_lqse, voxels);
-  EXPECT_EQ(static_cast<std::size_t>(progress.elements_ise + progress.elements_lqse), surface.elements().size());
+  EXPECT_EQ(static_cast<std::size_t>(progress.elements_ise + progress.elements_lqse),
+            surface.elements().size());
   EXPECT_GT(progress.known_pct, 0);
   EXPECT_LT(progress.known_pct, 100);
 }

@@ -30,7 +30,9 @@ struct UavDynamics : testing::Test {
     config.mission.time_limit_s = 60;
   }
 
-  void Start() { module = std::make_unique<UavDynamicsModule>(ModuleContext{config, bus, health, 0, nullptr}); }
+  void Start() {
+    module = std::make_unique<UavDynamicsModule>(ModuleContext{config, bus, health, 0, nullptr});
+  }
 
   /// One step in lockstep. @return what UAV `uav` said in it
   UavState Tick(int uav = 1) {
@@ -85,7 +87,8 @@ TEST_F(UavDynamics, AddsLocalisationNoiseToWhatIsSaidAlone) {
   double sum = 0;
   constexpr int kSteps = 500;
   for (int k = 0; k < kSteps; ++k) sum += (Tick().X_WB.p - Eigen::Vector3d(0, 0, 3)).squaredNorm();
-  // 3 axes x 0.1^2; the sample deviation of 1500 squares is 4 %, and were the noise fed back the body would wander.
+  // 3 axes x 0.1^2; the sample deviation of 1500 squares is 4 %, and were the noise fed back the body would
+  // wander.
   EXPECT_NEAR(sum / kSteps, 0.03, 0.006);
 }
 

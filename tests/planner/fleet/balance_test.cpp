@@ -26,7 +26,9 @@ TEST(Balance, ThresholdIsTheLeastImbalanceWithOneUavAtItsShareOverNPlusOne) {
 
 TEST(Balance, SharesAreThoseOfTheVoronoiCells) {
   Random random(1);
-  const auto point = [&] { return Eigen::Vector3d(random.Uniform(0, 9), random.Uniform(0, 9), random.Uniform(0, 9)); };
+  const auto point = [&] {
+    return Eigen::Vector3d(random.Uniform(0, 9), random.Uniform(0, 9), random.Uniform(0, 9));
+  };
   std::vector<Eigen::Vector3d> points, generators;
   for (int i = 0; i < 200; ++i) points.push_back(point());
   for (int i = 0; i < 4; ++i) generators.push_back(point());

@@ -23,7 +23,8 @@ TEST(BalancedKmeans, MakesClustersWhoseSizesDifferByAtMostOneElement) {
   Random random(4);
   for (int trial = 0; trial < 30; ++trial) {
     const int k = 2 + static_cast<int>(random.Below(5));
-    const std::vector<WeightedPoint> points = Points(random, k + static_cast<int>(random.Below(80)), trial % 2 ? 1 : 9);
+    const std::vector<WeightedPoint> points =
+        Points(random, k + static_cast<int>(random.Below(80)), trial % 2 ? 1 : 9);
     const Clusters clusters = BalancedKmeans(points, k, trial);
     const auto [least, most] = std::minmax_element(clusters.size.begin(), clusters.size.end());
     ASSERT_LE(*most - *least, 1);

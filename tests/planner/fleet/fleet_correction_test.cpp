@@ -9,7 +9,9 @@ namespace {
 
 constexpr Utime kSecond = 1'000'000;
 
-std::vector<Eigen::Vector3d> Centroids(int n) { return std::vector<Eigen::Vector3d>(n, Eigen::Vector3d::Ones()); }
+std::vector<Eigen::Vector3d> Centroids(int n) {
+  return std::vector<Eigen::Vector3d>(n, Eigen::Vector3d::Ones());
+}
 
 TeamMate MateOf(int uav, const FleetCorrection& c, bool alive = true) {
   return {uav, alive, c.replanning(), c.plan_id(), c.selections_left()};

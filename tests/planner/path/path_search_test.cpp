@@ -28,7 +28,8 @@ double ClearanceOf(const Path& path, const PlanningMap& map) {
   double least = 1e9;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i)
     for (double s = 0; s <= 1; s += 0.01)
-      least = std::min(least, map.to_occupied().Interpolate(path.waypoints[i].p_W * (1 - s) + path.waypoints[i + 1].p_W * s));
+      least = std::min(least, map.to_occupied().Interpolate(path.waypoints[i].p_W * (1 - s) +
+                                                            path.waypoints[i + 1].p_W * s));
   return least;
 }
 
@@ -51,7 +52,8 @@ TEST(PathSearch, GoesThroughAGapOfThreeMetresForARobotOfOneMetreRadius) {
   EXPECT_TRUE(path->ends_at_goal);
   // Legs between voxels may come under the margin by the fields' interpolation, never under the radius.
   EXPECT_GE(ClearanceOf(*path, map), kLimits.radius_m);
-  // The shortest way around the edge at (9.75..10.25, 15.1 + 1.1): nearly 27 m; the lattice and the gap's rounding add some.
+  // The shortest way around the edge at (9.75..10.25, 15.1 + 1.1): nearly 27 m; the lattice and the gap's
+  // rounding add some.
   EXPECT_LT(LengthOf(*path), 30);
 }
 
@@ -92,7 +94,8 @@ TEST(PathSearch, StaysOutOfBallsThatItIsToAvoid) {
   for (std::size_t i = 0; i + 1 < path->waypoints.size(); ++i)
     for (double s = 0; s <= 1; s += 0.02) {
       const Vector3d p = path->waypoints[i].p_W * (1 - s) + path->waypoints[i + 1].p_W * s;
-      EXPECT_GE((p - ball.p_W).norm(), ball.radius_m - 0.1);  // a diagonal step of the lattice cuts in by less
+      EXPECT_GE((p - ball.p_W).norm(),
+                ball.radius_m - 0.1);  // a diagonal step of the lattice cuts in by less
     }
 }
 
@@ -134,7 +137,8 @@ TEST(ReachableSet, EqualsAPlainFloodFill) {
   }
   ASSERT_GT(count, 1000u);
   EXPECT_EQ(reachable.size(), count);
-  for (std::size_t i = 0; i < reached.size(); ++i) ASSERT_EQ(reachable.Reaches(grid.FromLinear(i)), reached[i]);
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    ASSERT_EQ(reachable.Reaches(grid.FromLinear(i)), reached[i]);
 }
 
 TEST(ReachableSet, FollowsTheMap) {
@@ -153,14 +157,15 @@ TEST(TopologicalGrid, MeasuresTheWayAroundAWall) {
   TopologicalGrid cells(map);
   const std::vector<double> lengths = cells.LengthsFrom({4, 4, 4}, {{4, 12, 4}, {16, 4, 4}});
   EXPECT_NEAR(lengths[0], 8, 1);
-  // The straight legs through the opening's near and far edge are 2 x hypot(6, 15) = 32 m and 2 x hypot(6, 18) = 38 m; a lattice's
-  // ways are up to 8 % longer.
+  // The straight legs through the opening's near and far edge are 2 x hypot(6, 15) = 32 m and 2 x hypot(6,
+  // 18) = 38 m; a lattice's ways are up to 8 % longer.
   EXPECT_GT(lengths[1], 32);
   EXPECT_LT(lengths[1], 41);
 }
 
 TEST(TopologicalGrid, SaysInfinityWhereNothingConnects) {
-  const PlanningMap map = MapOf({20, 24, 8}, EmptySpace, [](const Vector3d& p) { return p.x() < 6 || p.x() > 12; });
+  const PlanningMap map =
+      MapOf({20, 24, 8}, EmptySpace, [](const Vector3d& p) { return p.x() < 6 || p.x() > 12; });
   TopologicalGrid cells(map);
   EXPECT_EQ(cells.LengthsFrom({2, 4, 4}, {{16, 4, 4}})[0], std::numeric_limits<double>::infinity());
 }

@@ -43,7 +43,8 @@ inline void Write(const DistanceTo& distance, const IsKnown& known, std::uint32_
   map->Update();
 }
 
-inline PlanningMap MapOf(const Eigen::Vector3d& size_m, const DistanceTo& distance, const IsKnown& known = Everywhere) {
+inline PlanningMap MapOf(const Eigen::Vector3d& size_m, const DistanceTo& distance,
+                         const IsKnown& known = Everywhere) {
   PlanningMap map(GridOf(size_m), Quantisation(0.5, 1 / (4.5 * 4.5)));
   Write(distance, known, 1, &map);
   return map;
@@ -54,14 +55,15 @@ struct Cylinder {
 };
 
 /// Vertical cylinders; no two touch, and none stands within 2.2 m of the two ends.
-inline std::vector<Cylinder> Forest(std::uint64_t seed, double size_m, int trees, const Eigen::Vector3d& start_W,
-                                    const Eigen::Vector3d& goal_W) {
+inline std::vector<Cylinder> Forest(std::uint64_t seed, double size_m, int trees,
+                                    const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W) {
   Random random(seed);
   std::vector<Cylinder> forest;
   for (int i = 0; i < trees; ++i) {
     const Cylinder tree{random.Uniform(0, size_m), random.Uniform(0, size_m), random.Uniform(0.2, 0.6)};
     const Eigen::Vector2d at(tree.x, tree.y);
-    if ((at - start_W.head<2>()).norm() > 2.2 + tree.radius_m && (at - goal_W.head<2>()).norm() > 2.2 + tree.radius_m)
+    if ((at - start_W.head<2>()).norm() > 2.2 + tree.radius_m &&
+        (at - goal_W.head<2>()).norm() > 2.2 + tree.radius_m)
       forest.push_back(tree);
   }
   return forest;

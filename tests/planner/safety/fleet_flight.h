@@ -10,15 +10,18 @@
 namespace citrine::planner {
 
 inline SolveMotion PlainSolve() {
-  return [smoother = Smoother(200)](const FlightScene& scene, const FlightWeights& weights, const SmoothingTask& task,
-                                    const SmoothingResult* warm) { return smoother.Solve(scene, weights, task, warm); };
+  return [smoother = Smoother(200)](const FlightScene& scene, const FlightWeights& weights,
+                                    const SmoothingTask& task, const SmoothingResult* warm) {
+    return smoother.Solve(scene, weights, task, warm);
+  };
 }
 
-/// Executives of a fleet without a bus: every 20 ms each acts on what the others had said a step before, and every UAV is
-/// exactly where its trajectory has it. Records the extremes of the flight.
+/// Executives of a fleet without a bus: every 20 ms each acts on what the others had said a step before, and
+/// every UAV is exactly where its trajectory has it. Records the extremes of the flight.
 class FleetFlight {
  public:
-  FleetFlight(const PlanningMap& map, const std::vector<Eigen::Vector3d>& spawns_W, SolveMotion solve = PlainSolve())
+  FleetFlight(const PlanningMap& map, const std::vector<Eigen::Vector3d>& spawns_W,
+              SolveMotion solve = PlainSolve())
       : map_(map) {
     for (std::size_t i = 0; i < spawns_W.size(); ++i) {
       FlightSettings settings;
@@ -55,7 +58,8 @@ class FleetFlight {
     for (std::size_t i = 0; i < executives_.size(); ++i) {
       executives_[i]->Act(now, map_changed);
       const TrajectoryPoint before = said[i].At(now), after = executives_[i]->committed()->At(now);
-      jump = std::max({jump, (before.p_W - after.p_W).norm(), (before.v_W - after.v_W).norm(), (before.a_W - after.a_W).norm()});
+      jump = std::max({jump, (before.p_W - after.p_W).norm(), (before.v_W - after.v_W).norm(),
+                       (before.a_W - after.a_W).norm()});
       fastest_mps = std::max(fastest_mps, after.v_W.norm());
       hardest_mps2 = std::max(hardest_mps2, after.a_W.norm());
       to_occupied_m = std::min(to_occupied_m, map_.to_occupied().Interpolate(after.p_W));

@@ -117,7 +117,8 @@ TEST(FlightExecutive, BrakesBeforeAnObstacleThatOnlyTheNewestScanShows) {
     }
     flight.Step();
   }
-  EXPECT_GT(wall_x - flight.Position(1).x(), 0.8);  // the guard's own distance: the radius less the map's error
+  EXPECT_GT(wall_x - flight.Position(1).x(),
+            0.8);  // the guard's own distance: the radius less the map's error
   EXPECT_LT(flight.uav(1).committed()->At(flight.now).v_W.norm(), 1e-9);
   ExpectWithinLimits(flight);
 }
@@ -140,7 +141,8 @@ TEST(FlightExecutive, ComesToRestWhenToldTo) {
 }
 
 TEST(FlightExecutive, ReportsBlockedAfterThreeFailuresAndRecoversWithAnotherPath) {
-  const PlanningMap map = MapOf({30, 24, 8}, [](const Vector3d& p) { return (p - Vector3d(20, 12, 4)).norm() - 2; });
+  const PlanningMap map =
+      MapOf({30, 24, 8}, [](const Vector3d& p) { return (p - Vector3d(20, 12, 4)).norm() - 2; });
   FleetFlight flight(map, {{5, 12, 4}});
   Path into_the_sphere;
   into_the_sphere.id = 50;
@@ -157,7 +159,8 @@ TEST(FlightExecutive, ReportsBlockedAfterThreeFailuresAndRecoversWithAnotherPath
 }
 
 TEST(FlightExecutive, FliesStraightLegsIfTheSolverFails) {
-  const SolveMotion broken = [](const FlightScene&, const FlightWeights&, const SmoothingTask& task, const SmoothingResult*) {
+  const SolveMotion broken = [](const FlightScene&, const FlightWeights&, const SmoothingTask& task,
+                                const SmoothingResult*) {
     SmoothingResult nonsense;
     Knot end;
     end.p = task.points_W.back();
@@ -178,7 +181,8 @@ TEST(FlightExecutive, KeepsTwoUavsApartThatMeetHeadOn) {
     flight.Send(1, {32, 10, 5});
     flight.Send(2, {8, 10, 5});
     EXPECT_TRUE(flight.FlyUntil(1, Phase::kReached, 40)) << offset;
-    EXPECT_TRUE(flight.status(2).phase == Phase::kReached || flight.FlyUntil(2, Phase::kReached, 30)) << offset;
+    EXPECT_TRUE(flight.status(2).phase == Phase::kReached || flight.FlyUntil(2, Phase::kReached, 30))
+        << offset;
     EXPECT_GE(flight.separation_m, 2.0) << offset;
     ExpectWithinLimits(flight);
   }

@@ -31,10 +31,12 @@ class ChoiceTest : public ::testing::Test {
     views[2].p_W = {11, 5, 3};
     for (View& view : views) view.element_W = view.p_W;
   }
-  std::size_t Choose(const std::string& name, const std::vector<Eigen::Vector3d>* centroids = nullptr, int reject = 0) {
+  std::size_t Choose(const std::string& name, const std::vector<Eigen::Vector3d>* centroids = nullptr,
+                     int reject = 0) {
     PlannerSection config;
     config.strategy = name;
-    const Situation situation{world.map, goals, window, 0.5, elements, views, 1, {3, 5, 3}, {0, 0, 0}, {{40, 40, 40}}, centroids};
+    const Situation situation{world.map, goals,     window,         0.5,      elements, views, 1,
+                              {3, 5, 3}, {0, 0, 0}, {{40, 40, 40}}, centroids};
     const auto choice = MakeStrategy(config)->Choose(situation, [&](const View&) { return reject-- <= 0; });
     return choice ? choice->view : 99;
   }

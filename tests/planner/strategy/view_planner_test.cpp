@@ -107,7 +107,8 @@ TEST_F(ViewPlannerTest, ABlockedGoalIsNotChosenAgainFor10Seconds) {
 }
 
 TEST_F(ViewPlannerTest, AMissionWhoseMapNeverChangesEndsByItself) {
-  // Every goal is reached at once and no look ever helps: all elements are given up or unreachable in the end.
+  // Every goal is reached at once and no look ever helps: all elements are given up or unreachable in the
+  // end.
   Add(1, {FreePlace()});
   int decisions = 0;
   Step();
@@ -119,8 +120,8 @@ TEST_F(ViewPlannerTest, AMissionWhoseMapNeverChangesEndsByItself) {
   EXPECT_TRUE(statuses[0].no_view_left) << statuses[0].elements_active << " active after " << decisions;
   EXPECT_EQ(statuses[0].elements_active, 0);
   EXPECT_GT(statuses[0].elements_given_up, 0);
-  EXPECT_GT(statuses[0].elements_unreachable, 0) << statuses[0].elements_given_up << " given up after " << decisions
-                                                 << " decisions and " << Seconds(now) << " s";
+  EXPECT_GT(statuses[0].elements_unreachable, 0) << statuses[0].elements_given_up << " given up after "
+                                                 << decisions << " decisions and " << Seconds(now) << " s";
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ TEST_P(BrakeAlongTest, StaysOnTheWayWithinTheLimitsAndContinuesExactly) {
   const Trajectory flight = Flight();
   for (const double at_s : {0.3, 1.2, 2.5, 3.3, 5.0}) {
     const Utime at = flight.start + FromSeconds(at_s);
-    const Trajectory brake = Splice(flight, at - 100'000, at, BrakeAlong(flight, at, scene.limits, GetParam()));
+    const Trajectory brake =
+        Splice(flight, at - 100'000, at, BrakeAlong(flight, at, scene.limits, GetParam()));
     const TrajectoryPoint before = flight.At(at), after = brake.At(at);
     EXPECT_LT((before.p_W - after.p_W).norm(), 1e-9);
     EXPECT_LT((before.v_W - after.v_W).norm(), 1e-9);
@@ -83,7 +84,8 @@ TEST(Yaw, TurnsTheShortWayAndNoFasterThanNinetyDegreesASecond) {
   EXPECT_NEAR(flight.At(flight.end()).yaw_rad, 2 * EIGEN_PI - 2.5, 1e-9);
   AddYaw(0, 0, 3.1, &flight.segments);
   double fastest = 0;
-  for (Utime t = flight.start; t < flight.end(); t += 5'000) fastest = std::max(fastest, std::abs(flight.At(t).yaw_rate_radps));
+  for (Utime t = flight.start; t < flight.end(); t += 5'000)
+    fastest = std::max(fastest, std::abs(flight.At(t).yaw_rate_radps));
   EXPECT_LE(fastest, kYawRateMax_radps + 1e-9);
   flight.segments.resize(1);  // 1.6 s are too short for half a turn
   AddYaw(0, 0, 3.1, &flight.segments);
@@ -91,8 +93,8 @@ TEST(Yaw, TurnsTheShortWayAndNoFasterThanNinetyDegreesASecond) {
 }
 
 TEST(FindViolation, SeesEveryKindOfWrong) {
-  const PlanningMap map = MapOf({24, 12, 8}, [](const Vector3d& p) { return p.y() - 4; },
-                                [](const Vector3d& p) { return p.x() < 16; });
+  const PlanningMap map = MapOf(
+      {24, 12, 8}, [](const Vector3d& p) { return p.y() - 4; }, [](const Vector3d& p) { return p.x() < 16; });
   FlightScene scene;
   scene.map = &map;
   using Kind = Violation::Kind;

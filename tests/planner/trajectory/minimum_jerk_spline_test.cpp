@@ -29,8 +29,7 @@ TEST(MinimumJerkSpline, HasTheEnergyOfItsPolynomials) {
   motion.segments = spline.Segments();
   double integral = 0;
   constexpr int kSteps = 13000;
-  for (int i = 0; i < kSteps; ++i)
-    integral += motion.At(i * 100 + 50).j_W.squaredNorm() * 1.3 / kSteps;
+  for (int i = 0; i < kSteps; ++i) integral += motion.At(i * 100 + 50).j_W.squaredNorm() * 1.3 / kSteps;
   EXPECT_NEAR(spline.JerkEnergy(), integral, 1e-6 * integral);
 }
 
@@ -57,9 +56,11 @@ TEST(MinimumJerkSpline, ContinuesJerkAndSnapAcrossInnerKnotsAsTheOptimumDoes) {
 TEST(FlightObjective, HasTheGradientOfFiniteDifferences) {
   Random random(3);
   for (int trial = 0; trial < 20; ++trial) {
-    // Distances are piecewise trilinear: differences are exact only within one voxel, so the map is a plane, linear all over.
-    const PlanningMap map = MapOf({16, 12, 8}, [](const Vector3d& p) { return p.z() - 1.5; },
-                                  [](const Vector3d& p) { return p.y() < 10; });
+    // Distances are piecewise trilinear: differences are exact only within one voxel, so the map is a plane,
+    // linear all over.
+    const PlanningMap map = MapOf(
+        {16, 12, 8}, [](const Vector3d& p) { return p.z() - 1.5; },
+        [](const Vector3d& p) { return p.y() < 10; });
     FlightScene scene;
     scene.map = &map;
     scene.limits.speed_max_mps = 2.5;  // so that every penalty acts
@@ -72,7 +73,8 @@ TEST(FlightObjective, HasTheGradientOfFiniteDifferences) {
     FlightWeights weights;
     FlightObjective objective(scene, weights, start, end, 0);
     std::vector<Vector3d> inner_W;
-    for (int i = 1; i < 5; ++i) inner_W.push_back(start.p + (end.p - start.p) * i / 5 + RandomVector(&random, 1.2));
+    for (int i = 1; i < 5; ++i)
+      inner_W.push_back(start.p + (end.p - start.p) * i / 5 + RandomVector(&random, 1.2));
     std::vector<double> durations_s;
     for (int i = 0; i < 5; ++i) durations_s.push_back(random.Uniform(0.6, 1.2));
     std::vector<double> x = FlightObjective::Pack(inner_W, durations_s), gradient(x.size());
@@ -84,8 +86,10 @@ TEST(FlightObjective, HasTheGradientOfFiniteDifferences) {
       std::vector<double> up = x, down = x;
       up[i] += kStep;
       down[i] -= kStep;
-      const double difference = (objective.Evaluate(up, nullptr) - objective.Evaluate(down, nullptr)) / (2 * kStep);
-      // A sample may cross from one voxel's trilinear patch into the next within the step; such kinks are of the order 1e-6.
+      const double difference =
+          (objective.Evaluate(up, nullptr) - objective.Evaluate(down, nullptr)) / (2 * kStep);
+      // A sample may cross from one voxel's trilinear patch into the next within the step; such kinks are of
+      // the order 1e-6.
       EXPECT_NEAR(gradient[i], difference, 3e-6 * largest) << "variable " << i << " of trial " << trial;
     }
   }
@@ -102,12 +106,13 @@ TEST(Smoother, FliesAStraightLineInNearlyTheLeastTimeThatAQuinticNeeds) {
   hurried.time = 1000;
   Trajectory motion;
   motion.segments = Smoother(300).Solve(scene, hurried, task).spline.Segments();
-  // Rest to rest over L with one quintic: T = max(1.875 L / v, sqrt(5.774 L / a)). Several pieces may be somewhat faster, but never
-  // than constant acceleration: L / v + v / a.
+  // Rest to rest over L with one quintic: T = max(1.875 L / v, sqrt(5.774 L / a)). Several pieces may be
+  // somewhat faster, but never than constant acceleration: L / v + v / a.
   const double closed_form_s = std::max(1.875 * 6 / 4.5, std::sqrt(5.774 * 6 / 4.8));
   EXPECT_GT(motion.duration_s(), 6 / 4.5 + 4.5 / 4.8);
   EXPECT_LT(motion.duration_s(), 1.1 * closed_form_s);
-  for (Utime t = 0; t < motion.end(); t += 10'000) EXPECT_NEAR((motion.At(t).p_W - Vector3d(0, 6, 4)).tail<2>().norm(), 0, 1e-3);
+  for (Utime t = 0; t < motion.end(); t += 10'000)
+    EXPECT_NEAR((motion.At(t).p_W - Vector3d(0, 6, 4)).tail<2>().norm(), 0, 1e-3);
 }
 
 TEST(Smoother, MatchesTheClosedFormOfJerkPlusTimeWhereNothingBinds) {
@@ -122,7 +127,8 @@ TEST(Smoother, MatchesTheClosedFormOfJerkPlusTimeWhereNothingBinds) {
   const SmoothingResult result = Smoother(400).Solve(scene, weights, task);
   double duration_s = 0;
   for (const double T : result.spline.durations_s()) duration_s += T;
-  // One quintic over L costs 720 L^2 / T^5 + w T, least at T = (3600 L^2 / w)^(1/6), of which its two halves are one.
+  // One quintic over L costs 720 L^2 / T^5 + w T, least at T = (3600 L^2 / w)^(1/6), of which its two halves
+  // are one.
   EXPECT_NEAR(duration_s, std::pow(3600 * 0.25 / 30, 1.0 / 6), 0.03);  // the solver stops at 1e-4 of the cost
 }
 

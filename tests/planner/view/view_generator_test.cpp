@@ -37,9 +37,9 @@ class ViewGeneratorTest : public ::testing::Test {
 TEST_F(ViewGeneratorTest, TriesTheOptimalDistanceThenCloseThenFar) {
   const auto distance_if = [&](double min, double max) {
     const auto view = Make([&](const auto& p_W) {
-      const double d = (p_W - element.p_W).norm();
-      return d > min && d < max;
-    }).AlongNormal(element, {0, 0, 0});
+                        const double d = (p_W - element.p_W).norm();
+                        return d > min && d < max;
+                      }).AlongNormal(element, {0, 0, 0});
     return view ? (view->p_W - element.p_W).norm() : 0;
   };
   EXPECT_NEAR(distance_if(0, 99), 4.25, 1e-9);  // d* - eta / 2
@@ -62,15 +62,19 @@ TEST_F(ViewGeneratorTest, EveryViewHasItsElementInTheFieldOfViewWhateverTheNorma
     ASSERT_LE(elevation, 30);
     ASSERT_NEAR(std::remainder(view->yaw_rad - std::atan2(to.y(), to.x()), 2 * EIGEN_PI), 0, 1e-9);
     const double normal = std::asin(element.normal_W.z()) * 180 / EIGEN_PI;
-    if (normal > 35) ASSERT_NEAR(elevation, -34, 1e-6);   // from above, the limit minus a degree
-    else if (normal < -30) ASSERT_NEAR(elevation, 29, 1e-6);
-    else ASSERT_NEAR(elevation, -normal, 1e-6);
+    if (normal > 35)
+      ASSERT_NEAR(elevation, -34, 1e-6);  // from above, the limit minus a degree
+    else if (normal < -30)
+      ASSERT_NEAR(elevation, 29, 1e-6);
+    else
+      ASSERT_NEAR(elevation, -normal, 1e-6);
   }
 }
 
 TEST_F(ViewGeneratorTest, AVerticalNormalTakesItsAzimuthFromTheUav) {
   element.normal_W = {0, 0, 1};
-  const auto view = Make([](const auto&) { return true; }).AlongNormal(element, element.p_W + Eigen::Vector3d(0, 3, 1));
+  const auto view =
+      Make([](const auto&) { return true; }).AlongNormal(element, element.p_W + Eigen::Vector3d(0, 3, 1));
   ASSERT_TRUE(view);
   EXPECT_GT((view->p_W - element.p_W).y(), 3);
   EXPECT_NEAR((view->p_W - element.p_W).x(), 0, 1e-9);
@@ -131,7 +135,8 @@ TEST(SurfaceNormals, PointOutOfAFlatSurface) {
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = 0; z <= 1; ++z)
-          known &= world.map.state(world.map.grid().Linear(e.voxel + VoxelIndex(x, y, z))) != VoxelState::kUnknown;
+          known &=
+              world.map.state(world.map.grid().Linear(e.voxel + VoxelIndex(x, y, z))) != VoxelState::kUnknown;
     if (!known) continue;
     ++ground;
     EXPECT_GT(e.normal_W.z(), 0.9);

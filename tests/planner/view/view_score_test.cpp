@@ -12,7 +12,8 @@ TEST(BestView, IsTheArgumentOfTheMaximumThatAPlainDoubleLoopFinds) {
     testing::RandomMap world(seed);
     ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
     surface.Update(world.map);
-    const std::vector<Element> elements = ListElements(world.map, surface, [](std::uint32_t v) { return v % 5 != 0; });
+    const std::vector<Element> elements =
+        ListElements(world.map, surface, [](std::uint32_t v) { return v % 5 != 0; });
     const SensorWindow window{LidarModel()};
     const InformationGain gain(world.map, elements, window, 0.5);
     for (const double alpha : {1.0, 4.0}) {
@@ -27,7 +28,8 @@ TEST(BestView, IsTheArgumentOfTheMaximumThatAPlainDoubleLoopFinds) {
 
       int most = 0;
       std::vector<Gain> all;
-      for (const ViewTerms& view : views) all.push_back(gain.Evaluate(view.p_W)), most = std::max(most, all.back().visible);
+      for (const ViewTerms& view : views)
+        all.push_back(gain.Evaluate(view.p_W)), most = std::max(most, all.back().visible);
       std::vector<bool> out(views.size());
       BestView best(gain, views, weights);
       EXPECT_EQ(best.most_visible(), most);

@@ -7,12 +7,13 @@
 
 namespace citrine::sim {
 
-/// A straight minimum-jerk flight from rest to rest that reaches the larger of the two limits' durations: its peak speed
-/// is 1.875 L / T and its peak acceleration 5.774 L / T^2.
+/// A straight minimum-jerk flight from rest to rest that reaches the larger of the two limits' durations: its
+/// peak speed is 1.875 L / T and its peak acceleration 5.774 L / T^2.
 inline Trajectory Dash(const Eigen::Vector3d& from_W, const Eigen::Vector3d& to_W, double speed_mps,
                        double acceleration_mps2, Utime start, double yaw_rad = 0) {
   const double length = (to_W - from_W).norm();
-  const double T = std::max(1.875 * length / speed_mps, std::sqrt(10 / std::sqrt(3.0) * length / acceleration_mps2));
+  const double T =
+      std::max(1.875 * length / speed_mps, std::sqrt(10 / std::sqrt(3.0) * length / acceleration_mps2));
   const Eigen::Vector3d way = to_W - from_W;
   Trajectory dash;
   dash.start = start;

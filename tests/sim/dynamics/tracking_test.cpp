@@ -26,7 +26,8 @@ Tracking Fly(const Trajectory& trajectory, double seconds, const UavSection& uav
     fleet.Step(FromSeconds(k * kStep_s), kStep_s);
     const UavState& state = fleet.state(1);
     const Eigen::Vector4d thrusts = fleet.rotor_thrusts_N(1);
-    tracking.error_max_m = std::max(tracking.error_max_m, (state.X_WB.p - trajectory.At(state.utime).p_W).norm());
+    tracking.error_max_m =
+        std::max(tracking.error_max_m, (state.X_WB.p - trajectory.At(state.utime).p_W).norm());
     tracking.speed_max_mps = std::max(tracking.speed_max_mps, state.v_W.norm());
     tracking.thrust_min_N = std::min(tracking.thrust_min_N, thrusts.minCoeff());
     tracking.thrust_max_N = std::max(tracking.thrust_max_N, thrusts.maxCoeff());
@@ -55,11 +56,13 @@ TEST_P(DashIn, IsTrackedWithinTenCentimetresAtTheLimits) {
   EXPECT_LT(tracking.last.v_W.norm(), 0.02);
 }
 
-// 7 m reaches both limits of a rest-to-rest quintic at once; 25 m cruises at the speed limit; 2 m is all acceleration.
+// 7 m reaches both limits of a rest-to-rest quintic at once; 25 m cruises at the speed limit; 2 m is all
+// acceleration.
 INSTANTIATE_TEST_SUITE_P(Ways, DashIn,
                          testing::Combine(testing::Values(Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0),
                                                           Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1),
-                                                          Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-1, 2, -1)),
+                                                          Eigen::Vector3d(1, 1, 1),
+                                                          Eigen::Vector3d(-1, 2, -1)),
                                           testing::Values(2.0, 7.0, 25.0)));
 
 TEST(Tracking, ReachesTheSpeedThatIsAsked) {
@@ -70,7 +73,8 @@ TEST(Tracking, ReachesTheSpeedThatIsAsked) {
 TEST(Tracking, TurnsAsAsked) {
   Trajectory turn = Hover({0, 0, 5}, 0, 0);
   turn.segments[0].duration_s = 4;  // half a turn: peak 0.94 rad/s x 1.57
-  turn.segments[0].coefficients.row(3) << 0, 0, 0, 10 * EIGEN_PI / 64, -15 * EIGEN_PI / 256, 6 * EIGEN_PI / 1024;
+  turn.segments[0].coefficients.row(3) << 0, 0, 0, 10 * EIGEN_PI / 64, -15 * EIGEN_PI / 256,
+      6 * EIGEN_PI / 1024;
   const Tracking tracking = Fly(turn, 6);
   EXPECT_LT(tracking.error_max_m, 0.02);
   EXPECT_NEAR(std::abs(WrapAngle(YawOf(tracking.last.X_WB.q) - EIGEN_PI)), 0, 0.01);
@@ -82,7 +86,8 @@ TEST(Tracking, HoldsItsPlaceInGusts) {
   const Tracking calm = Fly(Hover({0, 0, 5}, 0, 0), 30);
   const Tracking gusty = Fly(Hover({0, 0, 5}, 0, 0), 30, windy);
   EXPECT_GT(gusty.error_max_m, calm.error_max_m);
-  EXPECT_LT(gusty.error_max_m, 0.25);  // 4 m/s of air exert 1.9 m/s^2: 12 cm against a spring of (4 rad/s)^2, twice
+  EXPECT_LT(gusty.error_max_m,
+            0.25);  // 4 m/s of air exert 1.9 m/s^2: 12 cm against a spring of (4 rad/s)^2, twice
 }
 
 TEST(Tracking, ReturnsFromFarOffItsReference) {
@@ -90,7 +95,8 @@ TEST(Tracking, ReturnsFromFarOffItsReference) {
   fleet.Follow(1, Hover({20, -10, 25}, 1, FromSeconds(0.5)));
   for (int k = 0; k < 1500; ++k) {
     fleet.Step(FromSeconds(k * kStep_s), kStep_s);
-    ASSERT_LT(std::acos((fleet.state(1).X_WB.q * Eigen::Vector3d::UnitZ()).z()), 1.3) << "fell over at step " << k;
+    ASSERT_LT(std::acos((fleet.state(1).X_WB.q * Eigen::Vector3d::UnitZ()).z()), 1.3)
+        << "fell over at step " << k;
   }
   EXPECT_LT((fleet.state(1).X_WB.p - Eigen::Vector3d(20, -10, 25)).norm(), 0.02);
 }
