@@ -9,10 +9,11 @@ namespace {
 
 /// Sizes of public Gazebo models beside the project, as their own README states them, before their own yaw.
 struct GazeboModel {
-  std::string path;
+  std::string name, path;
   Eigen::Vector3d size_m;
   std::size_t triangles;
 };
+void PrintTo(const GazeboModel& model, std::ostream* out) { *out << model.name; }
 
 std::vector<GazeboModel> ModelsAtHand() {
   const std::filesystem::path folder =
@@ -25,7 +26,7 @@ std::vector<GazeboModel> ModelsAtHand() {
         {"hatchback", Eigen::Vector3d(4.0, 2.1, 1.6), 788u},
         {"pickup", Eigen::Vector3d(5.7, 2.5, 1.9), 1084u}})
     if (const auto path = folder / name / "model.sdf"; std::filesystem::exists(path))
-      models.push_back({path.string(), size_m, triangles});
+      models.push_back({name, path.string(), size_m, triangles});
   return models;
 }
 
@@ -41,7 +42,8 @@ TEST_P(GazeboModels, HaveTheSizeThatTheirReadmeStates) {
   EXPECT_GE(world.mesh.triangles.size() + 5, GetParam().triangles);
 }
 
-INSTANTIATE_TEST_SUITE_P(Public, GazeboModels, testing::ValuesIn(ModelsAtHand()));
+INSTANTIATE_TEST_SUITE_P(Public, GazeboModels, testing::ValuesIn(ModelsAtHand()),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace citrine::sim
