@@ -55,6 +55,7 @@ class PlanningMap {
 
   VoxelState state(std::size_t linear) const { return static_cast<VoxelState>(state_[linear]); }
   const std::vector<std::uint8_t>& states() const { return state_; }
+  const std::vector<std::uint8_t>& distance_codes() const { return distance_; }
   std::uint8_t distance_code(std::size_t linear) const { return distance_[linear]; }
   std::uint8_t weight_code(std::size_t linear) const { return weight_[linear]; }
   double distance_m(std::size_t linear) const { return quantisation_.Distance(distance_[linear]); }

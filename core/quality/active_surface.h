@@ -48,18 +48,21 @@ class ActiveSurface {
   const VoxelGrid& grid() const { return grid_; }
 
  private:
+  struct Neighbourhood;
   void Recompute(const PlanningMap& map, int block);
-  std::uint8_t Classify(const PlanningMap& map, const VoxelIndex& v, std::size_t linear) const;
-  bool AnyNear(const PlanningMap& map, const VoxelIndex& v, int steps, VoxelState wanted) const;
+  std::int32_t CountUnknown(const PlanningMap& map, const VoxelIndex& origin) const;
+  void WriteRow(const PlanningMap& map, const VoxelIndex& first, int count, unsigned incomplete,
+                unsigned surface);
   int ReachedCode(const VoxelIndex& v) const;
   void List();
 
   VoxelGrid grid_;
   QualityGoals goals_;
-  std::array<bool, 256> in_band_{};  ///< by distance code: known and |d| < d_s
-  int reached_code_whole_ = 255;     ///< lowest weight code that reaches w*
+  int band_first_ = 256, band_last_ = 0;  ///< distance codes of known voxels with |d| < d_s
+  int reached_code_whole_ = 255;          ///< lowest weight code that reaches w*
   std::vector<int> reached_code_of_region_;
   std::vector<std::uint8_t> class_;
+  std::vector<std::int32_t> active_in_row_;  ///< elements in each row of voxels along x
   std::array<std::int32_t, 4> counts_{};
   std::vector<std::uint32_t> elements_;
   std::vector<std::uint32_t> version_;  ///< of the blocks as last looked at
