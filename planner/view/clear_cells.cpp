@@ -10,24 +10,25 @@ namespace {
 constexpr int kSide = 4;  ///< [voxels]; a grid is made of blocks of 8, so cells fit
 }  // namespace
 
-ClearCells::ClearCells(const PlanningMap& map)
+ClearCells::ClearCells(const PlanningMap& map, Of of)
     : grid_(map.grid()), cells_(grid_.voxels() / kSide), clear_(static_cast<std::size_t>(cells_.prod()), 1) {
-  constexpr std::uint32_t kFourEmpty = 0x01010101u * static_cast<std::uint32_t>(VoxelState::kEmpty);
+  // Of an empty voxel's class the lowest bit alone is set, of an occupied one's the second.
+  const std::uint32_t flip = of == Of::kEmpty ? 0x01010101u : 0u;
+  const std::uint32_t obstacle = of == Of::kEmpty ? 0x03030303u : 0x02020202u;
   const int stride_y = cells_.x(), stride_z = cells_.x() * cells_.y();
   VoxelIndex v;
   for (v.z() = 0; v.z() < grid_.voxels().z(); ++v.z())
     for (v.y() = 0; v.y() < grid_.voxels().y(); ++v.y())
       for (v.x() = 0; v.x() < grid_.voxels().x(); v.x() += kSide) {
-        const std::uint8_t* const row = &map.states()[grid_.Linear(v)];
         std::uint32_t four;
-        std::memcpy(&four, row, sizeof four);
-        if (four == kFourEmpty) continue;
+        std::memcpy(&four, &map.states()[grid_.Linear(v)], sizeof four);
+        four = (four ^ flip) & obstacle;
+        if (four == 0) continue;
         // A voxel on the side of its cell spoils the neighbour too.
         const auto reach = [](int at) { return at % kSide == 0 ? -1 : (at % kSide == kSide - 1 ? 1 : 0); };
         const Eigen::Vector3i c = v / kSide;
-        constexpr auto kEmpty = static_cast<std::uint8_t>(VoxelState::kEmpty);
-        const int x_low = row[0] != kEmpty && c.x() > 0 ? -1 : 0;
-        const int x_high = row[kSide - 1] != kEmpty && c.x() + 1 < cells_.x() ? 1 : 0;
+        const int x_low = (four & 0xff) && c.x() > 0 ? -1 : 0;
+        const int x_high = (four >> 24) && c.x() + 1 < cells_.x() ? 1 : 0;
         const int ry = reach(v.y()), rz = reach(v.z());
         for (int k = 0; k < 4; ++k) {
           const int dy = k & 1 ? ry : 0, dz = k & 2 ? rz : 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,10 +37,15 @@ class InformationGain {
 
   Gain Evaluate(const Eigen::Vector3d& view_W) const;
 
-  /// As Evaluate, but gives up, with visible = -1, once it is certain that fewer than `visible_min` are
-  /// visible.
-  /// @param bound what Bound() said of the view
-  Gain Evaluate(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min) const;
+  /// From which of 24 sectors of directions an element was last found hidden, one bit each: where to look
+  /// first for what rules a view out. Changes no result.
+  using Hunch = std::vector<std::uint32_t>;
+  Hunch NoHunch() const { return Hunch(elements_.size(), 0); }
+
+  /// |ASE_v| of a view; -1, sooner, if it is less than `visible_min`.
+  /// @param bound  what Bound() said of the view
+  int CountVisible(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min,
+                   Hunch& hunch) const;
 
   /// At least what Evaluate gives, in both numbers. Leaves out elements that turn their back to the view and
   /// whose neighbour on the first step towards it is occupied: those are hidden for certain.
@@ -50,8 +56,12 @@ class InformationGain {
     Eigen::Vector3f min_W, max_W;
     int begin, end;
   };
+  struct Eight;
   template <class Visit>
   void ForEachNear(const Eigen::Vector3d& view_W, Visit&& visit) const;
+  /// @param visit  void(int first, const Eight&): the elements of near buckets, eight by eight
+  template <class Visit>
+  void ForEachEight(const Eigen::Vector3d& view_W, Visit&& visit) const;
 
   const PlanningMap& map_;
   SensorWindow window_;
@@ -64,7 +74,7 @@ class InformationGain {
   std::vector<float> near2_, far2_;  ///< squared ends of the interval of viewing distances [m^2]
   double far_worth_ = 0;             ///< the most that h is beyond it
   std::vector<Bucket> buckets_;
-  ClearCells clear_;
+  ClearCells clear_, without_occupied_;
 };
 
 }  // namespace citrine::planner

@@ -22,17 +22,12 @@ void BestView::FindMostVisible() {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return bound_[a].visible > bound_[b].visible; });
+  InformationGain::Hunch hunch = gain_.NoHunch();
   for (const std::size_t i : order) {
     if (bound_[i].visible <= most_visible_) break;
-    const Gain found = gain_.Evaluate(views_[i].p_W, bound_[i], most_visible_ + 1);
+    most_visible_ =
+        std::max(most_visible_, gain_.CountVisible(views_[i].p_W, bound_[i], most_visible_ + 1, hunch));
     ++evaluated_;
-    if (found.visible < 0) {
-      bound_[i].visible = most_visible_;
-      continue;
-    }
-    exact_[i] = found;
-    known_[i] = true;
-    most_visible_ = std::max(most_visible_, found.visible);
   }
 }
 

@@ -9,10 +9,10 @@ namespace citrine::planner {
 namespace {
 constexpr int kNearSteps =
     6;  ///< walked before it is asked where the clear rest begins: most that is hidden ends here
-}  // namespace
 
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-             const ClearCells* clear) {
+template <bool kCountUnknown>
+Sight Walk(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+           const ClearCells* clear) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const VoxelGrid& grid = map.grid();
   const VoxelIndex end = grid.IndexOf(view_W);
@@ -49,15 +49,26 @@ Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector
     next[axis] = --left[axis] == 0 ? kNever : next[axis] + stride[axis];
     const std::uint8_t state = states[at];
     if (touching) touching = full[axis] - left[axis] <= 1;
-    if (state == static_cast<std::uint8_t>(VoxelState::kEmpty)) continue;
-    if (state == static_cast<std::uint8_t>(VoxelState::kUnknown)) {
-      ++sight.unknown;
-    } else if (!touching || !in_front) {
-      return sight;
+    if (state == static_cast<std::uint8_t>(VoxelState::kOccupied)) {
+      if (!touching || !in_front) return sight;
+    } else if (kCountUnknown) {
+      sight.unknown += state == static_cast<std::uint8_t>(VoxelState::kUnknown);
     }
   }
   sight.clear = true;
   return sight;
+}
+
+}  // namespace
+
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+             const ClearCells* clear) {
+  return Walk<true>(map, element, view_W, clear);
+}
+
+bool Occluded(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+              const ClearCells& clear) {
+  return !Walk<false>(map, element, view_W, &clear).clear;
 }
 
 double ClearProbability(int unknown) {
