@@ -23,7 +23,9 @@ target_compile_options(citrine_rules INTERFACE
   # GCC 12 sees these in "literal" + std::string, where there are none (GCC bug 105651)
   -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 if(CITRINE_SANITIZE)
-  target_compile_options(citrine_rules INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  target_compile_options(citrine_rules INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1
+    -Wno-maybe-uninitialized)  # GCC: sanitizers make false alarms of it
   target_link_options(citrine_rules INTERFACE -fsanitize=address,undefined)
 endif()
 

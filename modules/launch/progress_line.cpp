@@ -47,7 +47,7 @@ ProgressLine::ProgressLine(std::FILE* out) : out_(out), terminal_(isatty(fileno(
 
 void ProgressLine::Show(const MissionView& view) {
   const Clock::time_point now = Clock::now();
-  if (now < next_) return;
+  if (now < next_ || (!terminal_ && !view.clock)) return;
   next_ = now + (terminal_ ? kRedraw : kLine);
   const double wall_s = std::chrono::duration<double>(now - begun_).count();
   const double mission_s = view.clock ? Seconds(view.clock->utime) : 0;

@@ -38,6 +38,7 @@ TEST(ProgressText, SaysThatItWaitsBeforeTheFirstClock) {
 TEST(ProgressLine, WritesPlainLinesWhereThereIsNoTerminal) {
   std::FILE* file = std::tmpfile();
   ProgressLine line(file);
+  line.Show(MissionView());  // before the first clock: nothing to say
   line.Show(SomeView());
   line.Show(SomeView());  // sooner than 5 s: not said
   line.Finish();
