@@ -9,6 +9,7 @@ find_package(sdformat12 REQUIRED)                  # sim/world
 find_package(assimp REQUIRED)                      # sim/world
 find_package(nlohmann_json REQUIRED)               # logs, modules
 find_package(nanoflann REQUIRED)                   # logs
+find_package(Boost REQUIRED)                       # logs/statistics
 find_package(Threads REQUIRED)
 
 # citrine_find(<target> <header> <library>...): an imported target where a package ships no CMake file

@@ -3,49 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "logs/html_text.h"
 #include "logs/number_text.h"
+#include "logs/svg_parts.h"
 
 namespace citrine::logs {
 namespace {
 
-constexpr double kWidth = 460, kHeight = 240;
+constexpr double kHeight = 240;
 constexpr double kLeft = 54, kRight = 12, kTop = 12, kBottom = 40;
 constexpr std::size_t kBucketsPerCurve = 300;
-
-std::string N(double x) { return Fixed(x, 1); }
-std::string ColourClass(int colour) { return "c" + std::to_string(colour % kNumColours); }
-
-std::string Text(double x, double y, const std::string& text, const std::string& anchor = "middle",
-                 const std::string& more = "") {
-  return "<text x=\"" + N(x) + "\" y=\"" + N(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-         Escape(text) + "</text>";
-}
-
-std::string Rule(double x1, double y1, double x2, double y2, const std::string& style) {
-  return "<line class=\"" + style + "\" x1=\"" + N(x1) + "\" y1=\"" + N(y1) + "\" x2=\"" + N(x2) +
-         "\" y2=\"" + N(y2) + "\"/>";
-}
-
-/// Distance of ticks, 1, 2 or 5 times a power of ten, for about five of them.
-double TickStep(double top) {
-  const double raw = top / 5;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (raw <= factor * power * 1.0001) return factor * power;
-  return 10 * power;
-}
-
-struct Axis {
-  double top = 1, step = 0.2;
-
-  explicit Axis(double largest) {
-    step = TickStep(largest > 0 ? largest : 1);
-    top = step * std::ceil((largest > 0 ? largest : 1) / step - 1e-9);
-  }
-  int decimals() const { return std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))); }
-  int ticks() const { return static_cast<int>(std::lround(top / step)); }
-};
 
 /// The first, lowest, highest and last sample of each of kBucketsPerCurve equal runs.
 Series Thinned(const Series& points) {
@@ -67,7 +33,7 @@ Series Thinned(const Series& points) {
 
 struct Plane {
   Axis x, y;
-  double Px(double value) const { return kLeft + value / x.top * (kWidth - kLeft - kRight); }
+  double Px(double value) const { return kLeft + value / x.top * (kFigureWidth - kLeft - kRight); }
   double Py(double value) const { return kHeight - kBottom - value / y.top * (kHeight - kTop - kBottom); }
 };
 
@@ -75,7 +41,7 @@ std::string Axes(const Plane& plane, const ChartText& text) {
   std::string svg;
   for (int k = 0; k <= plane.y.ticks(); ++k) {
     const double value = k * plane.y.step;
-    svg += Rule(kLeft, plane.Py(value), kWidth - kRight, plane.Py(value), k == 0 ? "axis" : "grid");
+    svg += Rule(kLeft, plane.Py(value), kFigureWidth - kRight, plane.Py(value), k == 0 ? "axis" : "grid");
     svg += Text(kLeft - 6, plane.Py(value) + 4, Fixed(value, plane.y.decimals()), "end");
   }
   for (int k = 0; k <= plane.x.ticks(); ++k) {
@@ -83,7 +49,7 @@ std::string Axes(const Plane& plane, const ChartText& text) {
     svg += Rule(plane.Px(value), kHeight - kBottom, plane.Px(value), kHeight - kBottom + 4, "axis");
     svg += Text(plane.Px(value), kHeight - kBottom + 16, Fixed(value, plane.x.decimals()));
   }
-  svg += Text((kLeft + kWidth - kRight) / 2, kHeight - 6, text.x_label);
+  svg += Text((kLeft + kFigureWidth - kRight) / 2, kHeight - 6, text.x_label);
   svg += Text(0, 0, text.y_label, "middle",
               " transform=\"translate(12 " + N((kTop + kHeight - kBottom) / 2) + ") rotate(-90)\"");
   return svg;
@@ -97,41 +63,51 @@ std::string Polyline(const Plane& plane, const Curve& curve) {
          "\" points=\"" + points + "\"/>";
 }
 
-std::string Figure(const std::string& title, const std::string& svg, double width, double height,
-                   const std::string& legend) {
-  return "<figure><figcaption>" + Escape(title) + legend + "</figcaption><svg viewBox=\"0 0 " + N(width) +
-         " " + N(height) + "\" role=\"img\" aria-label=\"" + Escape(title) + "\">" + svg +
-         "</svg></figure>\n";
+double HalfWidth(const Curve& curve, std::size_t k) {
+  return k < curve.half_widths.size() && std::isfinite(curve.half_widths[k]) ? curve.half_widths[k] : 0;
 }
 
-std::string Legend(const std::vector<std::pair<std::string, int>>& entries) {
-  std::string html = "<span class=\"legend\">";
-  for (const auto& [name, colour] : entries)
-    html += "<span class=\"" + ColourClass(colour) + "\"><i></i>" + Escape(name) + "</span>";
-  return html + "</span>";
+/// A bar from low to high at each point that has an interval, and a dot at all points of such a curve.
+std::string Intervals(const Plane& plane, const Curve& curve) {
+  std::string svg;
+  for (std::size_t k = 0; k < curve.half_widths.size() && k < curve.points.size(); ++k) {
+    const auto& [x, y] = curve.points[k];
+    const double half = HalfWidth(curve, k);
+    svg += Rule(plane.Px(x), plane.Py(std::max(y - half, 0.0)), plane.Px(x), plane.Py(y + half),
+                "curve " + ColourClass(curve.colour));
+    svg += Dot(plane.Px(x), plane.Py(y), 3, "dot " + ColourClass(curve.colour));
+  }
+  return svg;
 }
 
 }  // namespace
 
-std::string LineChart(const ChartText& text, const std::vector<Curve>& curves,
-                      const std::optional<std::pair<std::string, double>>& limit) {
+SvgFigure LineFigure(const ChartText& text, const std::vector<Curve>& curves,
+                     const std::optional<std::pair<std::string, double>>& limit) {
   double right = 0, top = limit ? limit->second : 0;
   for (const Curve& curve : curves)
-    for (const auto& [x, y] : curve.points)
-      if (std::isfinite(y)) right = std::max(right, x), top = std::max(top, y);
+    for (std::size_t k = 0; k < curve.points.size(); ++k)
+      if (const auto& [x, y] = curve.points[k]; std::isfinite(y))
+        right = std::max(right, x), top = std::max(top, y + HalfWidth(curve, k));
   const Plane plane{Axis(right), Axis(top)};
 
   std::string svg = Axes(plane, text);
   std::vector<std::pair<std::string, int>> names;
   for (const Curve& curve : curves) {
-    svg += Polyline(plane, curve);
+    svg += Polyline(plane, curve) + Intervals(plane, curve);
     names.emplace_back(curve.name, curve.colour);
   }
   if (limit) {
-    svg += Rule(kLeft, plane.Py(limit->second), kWidth - kRight, plane.Py(limit->second), "limit");
-    svg += Text(kWidth - kRight, plane.Py(limit->second) - 4, limit->first, "end");
+    svg += Rule(kLeft, plane.Py(limit->second), kFigureWidth - kRight, plane.Py(limit->second), "limit");
+    svg += Text(kFigureWidth - kRight, plane.Py(limit->second) - 4, limit->first, "end");
   }
-  return Figure(text.title, svg, kWidth, kHeight, curves.size() > 1 ? Legend(names) : "");
+  if (curves.size() < 2) names.clear();
+  return {text.title, svg, kFigureWidth, kHeight, names};
+}
+
+std::string LineChart(const ChartText& text, const std::vector<Curve>& curves,
+                      const std::optional<std::pair<std::string, double>>& limit) {
+  return ToHtml(LineFigure(text, curves, limit));
 }
 
 std::string BarChart(const std::string& title, const std::vector<Bar>& bars) {
@@ -141,21 +117,21 @@ std::string BarChart(const std::string& title, const std::vector<Bar>& bars) {
   std::string svg;
   double y = 4;
   for (const Bar& bar : bars) {
-    const double width = largest > 0 ? bar.value / largest * (kWidth - kNames - kLabels) : 0;
+    const double width = largest > 0 ? bar.value / largest * (kFigureWidth - kNames - kLabels) : 0;
     svg += Text(kNames - 8, y + 14, bar.name, "end");
     svg += "<rect class=\"bar " + ColourClass(bar.colour) + "\" x=\"" + N(kNames) + "\" y=\"" + N(y + 3) +
            "\" width=\"" + N(std::max(width, 1.0)) + "\" height=\"" + N(kRow - 8) + "\"/>";
     svg += Text(kNames + width + 6, y + 14, bar.label, "start");
     y += kRow;
   }
-  return Figure(title, svg, kWidth, y + 4, "");
+  return ToHtml({title, svg, kFigureWidth, y + 4, {}});
 }
 
 std::string PathsFromAbove(const std::string& title, const std::vector<std::vector<Eigen::Vector2d>>& paths_W,
                            const Eigen::AlignedBox2d& volume_W) {
   constexpr double kMargin = 16, kSteps = 0.05;
   const Eigen::Vector2d size = volume_W.sizes();
-  const double scale = (kWidth - 2 * kMargin) / size.x();
+  const double scale = (kFigureWidth - 2 * kMargin) / size.x();
   const double height = size.y() * scale + 2 * kMargin;
   const auto px = [&](const Eigen::Vector2d& p) { return kMargin + (p.x() - volume_W.min().x()) * scale; };
   const auto py = [&](const Eigen::Vector2d& p) {
@@ -185,7 +161,7 @@ std::string PathsFromAbove(const std::string& title, const std::vector<std::vect
     svg += "<polyline class=\"curve " + colour + "\" points=\"" + points + "\"/>";
     svg += dot(path.front(), "ring " + colour) + dot(path.back(), "dot " + colour);
   }
-  return Figure(title, svg, kWidth, height, Legend(names));
+  return ToHtml({title, svg, kFigureWidth, height, names});
 }
 
 }  // namespace citrine::logs

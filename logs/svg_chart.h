@@ -8,13 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "logs/flight_measures.h"
+#include "logs/svg_parts.h"
 
 namespace citrine::logs {
 
-// Figures as inline SVG. Colours are CSS classes c0..c7 of the page, so that they follow its light or dark
-// scheme.
-
-inline constexpr int kNumColours = 8;
+// Figures as inline SVG.
 
 /// One curve of a chart.
 struct Curve {
@@ -22,6 +20,7 @@ struct Curve {
   Series points;
   int colour = 0;
   bool dashed = false;
+  std::vector<double> half_widths = {};  ///< of an interval around each point; empty: none are drawn
 };
 
 struct ChartText {
@@ -33,6 +32,8 @@ struct ChartText {
 /// @param limit a dashed level with a name, such as v_max
 std::string LineChart(const ChartText& text, const std::vector<Curve>& curves,
                       const std::optional<std::pair<std::string, double>>& limit = std::nullopt);
+SvgFigure LineFigure(const ChartText& text, const std::vector<Curve>& curves,
+                     const std::optional<std::pair<std::string, double>>& limit = std::nullopt);
 
 struct Bar {
   std::string name;

@@ -1,83 +1,11 @@
 #include "core/config/config_file.h"
 
-#include <cmath>
-#include <sstream>
-
-#include <toml++/toml.h>
-
 #include "core/config/check_limits.h"
 #include "core/config/nearest_name.h"
-#include "core/config/value_kind.h"
+#include "core/config/toml_section.h"
 
 namespace citrine {
 namespace {
-
-std::string TextOf(const toml::node& node) {
-  std::ostringstream out;
-  out << toml::node_view<const toml::node>(node);
-  return out.str();
-}
-
-[[noreturn]] void Refuse(const std::string& path, const std::string& allowed, const toml::node& node) {
-  throw ConfigError(path + ": must be " + allowed + ", is " + TextOf(node));
-}
-
-// Read() takes over a node of the right type; false otherwise.
-bool Read(const toml::node& node, bool& value) {
-  return node.is_boolean() && (value = node.as_boolean()->get(), true);
-}
-bool Read(const toml::node& node, double& value) {
-  if (!node.is_number()) return false;
-  value = *node.value<double>();
-  return std::isfinite(value);
-}
-bool Read(const toml::node& node, int& value) {
-  if (!node.is_integer()) return false;
-  const std::int64_t wide = node.as_integer()->get();
-  value = static_cast<int>(wide);
-  return value == wide;
-}
-bool Read(const toml::node& node, std::string& value) {
-  return node.is_string() && (value = node.as_string()->get(), true);
-}
-bool Read(const toml::node& node, Eigen::Vector3d& value) {
-  const toml::array* array = node.as_array();
-  return array && array->size() == 3 && Read(*array->get(0), value.x()) && Read(*array->get(1), value.y()) &&
-         Read(*array->get(2), value.z());
-}
-bool Read(const toml::node& node, std::vector<Eigen::Vector3d>& values) {
-  const toml::array* array = node.as_array();
-  if (!array) return false;
-  values.assign(array->size(), Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!Read(*array->get(i), values[i])) return false;
-  return true;
-}
-template <class T>
-bool Read(const toml::node& node, std::optional<T>& value) {
-  return Read(node, value.emplace());
-}
-
-template <class T>
-bool InRange(const T& value, const Key& key) {
-  if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>)
-    return value >= key.min && value <= key.max;
-  return true;
-}
-bool InRange(const std::string& value, const Key& key) {
-  return key.options.empty() || std::find(key.options.begin(), key.options.end(), value) != key.options.end();
-}
-
-/// Names of the fields of one section, and which of them are texts.
-struct FieldNames {
-  std::vector<std::string> all, texts;
-
-  template <class T>
-  void operator()(const char* name, const T&, const Key&) {
-    all.push_back(name);
-    if constexpr (std::is_same_v<T, std::string>) texts.push_back(name);
-  }
-};
 
 struct SectionNames {
   std::vector<std::pair<std::string, FieldNames>> sections;
@@ -98,10 +26,6 @@ const SectionNames& Known() {
   return names;
 }
 
-bool Contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 const FieldNames& KnownSection(const std::string& section) {
   std::vector<std::string> names;
   for (const auto& [name, fields] : Known().sections) {
@@ -117,24 +41,6 @@ const FieldNames& KnownSection(const std::string& section) {
   for (const auto& [other, names] : Known().sections)
     if (Contains(names.all, key)) nearest = other + "." + key;
   throw ConfigError(section + "." + key + ": unknown key; did you mean " + nearest + "?");
-}
-
-struct FieldReader {
-  const toml::table& table;
-  std::string path;
-
-  template <class T>
-  void operator()(const char* name, T& value, const Key& key) {
-    const toml::node* node = table.get(name);
-    if (!node) return;
-    if (!Read(*node, value) || !InRange(value, key)) Refuse(path + name, Allowed(value, key), *node);
-  }
-};
-
-template <class Section>
-void ReadSection(const toml::table& table, const std::string& path, Section& section) {
-  FieldReader reader{table, path + "."};
-  section.Visit(reader);
 }
 
 struct SectionReader {
@@ -175,16 +81,6 @@ std::vector<QualityRegionSection> ReadRegions(const toml::table& mission) {
     ReadSection(table, path, regions.emplace_back());
   }
   return regions;
-}
-
-toml::table ParseToml(const std::string& text) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const auto& at = error.source().begin;
-    throw ConfigError(std::to_string(at.line) + ":" + std::to_string(at.column) +
-                      ": not TOML: " + std::string(error.description()));
-  }
 }
 
 /// A text may stand without quotes: planner.strategy=racer.

@@ -40,6 +40,10 @@ inline std::string Allowed(const std::string&, const Key& key) {
 }
 inline std::string Allowed(const Eigen::Vector3d&, const Key&) { return "three numbers [x, y, z]"; }
 inline std::string Allowed(const std::vector<Eigen::Vector3d>&, const Key&) { return "a list of [x, y, z]"; }
+inline std::string Allowed(const std::vector<std::string>&, const Key&) {
+  return "a list of texts in quotes";
+}
+inline std::string Allowed(const std::vector<int>&, const Key&) { return "a list of integers"; }
 template <class T>
 std::string Allowed(const std::optional<T>&, const Key& key) {
   return Allowed(T{}, key);

@@ -40,6 +40,7 @@ TEST(Layering, MeetsEachThirdPartyLibraryInOnePlace) {
   const std::map<std::string, std::vector<std::string>> places = {
       {"CLI", {"modules/"}},
       {"assimp", {"sim/world"}},
+      {"boost", {"logs/statistics"}},
       {"embree3", {"sim/lidar", "logs/"}},
       {"lcm", {"modules/runtime"}},
       {"nlopt", {"planner/trajectory"}},
