@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "modules/launch/replay_options.h"
 #include "modules/launch/run_options.h"
 
 namespace citrine {
@@ -23,6 +24,7 @@ int RunMission(const RunOptions& options);
 int Doctor();
 int ShowKeys();
 int ShowWorld(const std::string& file);
+int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 
 }  // namespace citrine

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <iterator>
 
 #include <CLI/CLI.hpp>
 
@@ -69,6 +70,31 @@ struct RunCommand {
   }
 };
 
+struct ReplayCommand {
+  ReplayOptions options;
+
+  explicit ReplayCommand(CLI::App& app) {
+    app.add_option("log", options.log, "A recording: mission.lcmlog of a result folder")
+        ->required()
+        ->type_name("LOG");
+    auto* into =
+        app.add_option("--into", options.into,
+                       "Feed it into the real module and compare what that says; without: onto the bus")
+            ->type_name("MODULE")
+            ->check(CLI::IsMember(std::vector<std::string>(std::begin(kReplayable), std::end(kReplayable))));
+    app.add_option(
+           "--speed", options.speed,
+           "Mission seconds a second of the wall; default 1 on the bus, as fast as it goes into a module")
+        ->type_name("X")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--out", options.out, "Where topdown_renderer writes its pictures")
+        ->type_name("DIR")
+        ->needs(into);
+    app.add_flag("--view", options.view, "Of topdown_renderer: show the picture in a window")->needs(into);
+    app.add_flag("--video", options.video, "Of topdown_renderer: write topdown.mp4")->needs(into);
+  }
+};
+
 int Main(int argc, char** argv) {
   CLI::App app{
       "A fleet of UAVs rebuilds an unknown place in 3D, to the fidelity asked for, in the least flight.",
@@ -91,6 +117,9 @@ int Main(int argc, char** argv) {
   CLI::App* world_command = app.add_subcommand("world", "What a world file holds, and what is wrong with it");
   world_command->add_option("file", world)->required()->type_name("FILE");
   world_command->final_callback([&] { exit_code = ShowWorld(world); });
+  CLI::App* replay = app.add_subcommand("replay", "Play a recorded mission on the bus, or into one module");
+  ReplayCommand replay_command(*replay);
+  replay->final_callback([&] { exit_code = ReplayLog(replay_command.options); });
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
   report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
   report->final_callback([&] { exit_code = Report(results); });

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/every_channel.h"
 #include "tests/architecture/source_tree.h"
 
 namespace citrine {
@@ -34,6 +35,19 @@ TEST(ChannelTable, SaysInTheReadmeWhatTheCodeSays) {
   const Table header = FromHeader();
   EXPECT_EQ(header.size(), 17u);
   EXPECT_EQ(header, FromReadme());
+}
+
+TEST(ChannelTable, IsVisitedWhole) {
+  std::set<std::string> visited;
+  ForEveryChannel([&]<template <class> class On, class Message>(const On<Message>& channel) {
+    if constexpr (requires { channel.noun; })
+      visited.insert(std::string("UAV<i>_") + channel.noun);
+    else
+      visited.insert(channel.name);
+  });
+  std::set<std::string> in_header;
+  for (const auto& [channel, type] : FromHeader()) in_header.insert(channel);
+  EXPECT_EQ(visited, in_header);
 }
 
 TEST(ChannelTable, NamesEveryTypeThatThereIs) {

@@ -1,0 +1,96 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "modules/channels.h"
+#include "modules/runtime/log_reader.h"
+#include "modules/runtime/log_writer.h"
+#include "tests/support/citrine_command.h"
+
+namespace citrine {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+const std::string kGolden = CITRINE_SOURCE_DIR "/logs/golden/smoke_three_uavs/mission.lcmlog";
+
+class ReplayCommand : public ::testing::Test {
+ protected:
+  ReplayCommand() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~ReplayCommand() override { fs::remove_all(folder_); }
+
+  /// A copy of the golden log in which `change` may alter, and lose, messages.
+  template <class Change>
+  std::string Changed(const Change& change) const {
+    const std::string path = folder_ / "changed.lcmlog";
+    LogWriter log(path);
+    for (LogEvent& event : ReadInOrder(kGolden))
+      if (change(event)) log.Write(event);
+    log.Flush();
+    return path;
+  }
+
+  const fs::path folder_ = fs::path(::testing::TempDir()) / "citrine_command_replay";
+};
+
+TEST_F(ReplayCommand, NamesChannelTimeAndFieldOfTheFirstDifferenceAndExitsWithThree) {
+  std::int64_t changed = 0;
+  const std::string log = Changed([&](LogEvent& event) {
+    if (event.channel != channels::kPath.Of(2)) return true;
+    citrine_lcm::path_t path{};
+    path.decode(event.bytes.data(), 0, static_cast<int>(event.bytes.size()));
+    path.goal_yaw_rad += 0.5;
+    event.bytes = Bus::ToBytes(path);
+    ++changed;
+    return true;
+  });
+  ASSERT_GT(changed, 0);
+  const CommandResult replay = RunCitrine("replay " + log + " --into view_planner");
+  EXPECT_EQ(replay.exit_code, 3) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr(std::to_string(changed) + " of "));
+  EXPECT_THAT(replay.output,
+              ::testing::ContainsRegex("UAV2_PATH at t = [0-9.]+ s, message 1: goal_yaw_rad is "));
+}
+
+TEST_F(ReplayCommand, SaysWhatIsDamagedOrMissingInALogAndLives) {
+  std::int64_t states = 0;
+  const std::string log = Changed([&](const LogEvent& event) {
+    return event.channel != channels::kUavState.Of(1) || ++states % 10 != 0;
+  });
+  fs::resize_file(log, fs::file_size(log) - 10);
+  const CommandResult replay = RunCitrine("replay " + log + " --into trajectory_smoother");
+  EXPECT_THAT(replay.output, HasSubstr("1 damaged places of the log were skipped"));
+  EXPECT_THAT(replay.output, HasSubstr(std::to_string(states / 10) + " messages are missing in the log"));
+  EXPECT_THAT(replay.output, HasSubstr("trajectory_smoother (UAV 3): "));
+}
+
+TEST_F(ReplayCommand, DrawsALogIntoAFolder) {
+  const CommandResult replay = RunCitrine("replay " + kGolden + " --into topdown_renderer --video --out " +
+                                          (folder_ / "drawn").string());
+  EXPECT_THAT(replay.output, HasSubstr("topdown.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "drawn/topdown.png"));
+  EXPECT_GT(fs::file_size(folder_ / "drawn/topdown.mp4"), 10'000u);
+}
+
+TEST_F(ReplayCommand, PlaysOnABusWithoutAModule) {
+  const CommandResult play =
+      RunCommandLine("LCM_DEFAULT_URL=memq:// " CITRINE_BIN_DIR "/launch replay " + kGolden + " --speed 100");
+  EXPECT_EQ(play.exit_code, 0) << play.output;
+}
+
+TEST_F(ReplayCommand, RefusesWhatItCannotDo) {
+  EXPECT_EQ(RunCitrine("replay " + kGolden + " --into uav_dynamics").exit_code, 1);
+  EXPECT_EQ(RunCitrine("replay " + kGolden + " --speed 0").exit_code, 1);
+  EXPECT_EQ(RunCitrine("replay " + kGolden + " --video").exit_code, 1) << "the bus draws nothing";
+  const CommandResult absent = RunCitrine("replay nowhere.lcmlog");
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_THAT(absent.output, HasSubstr("cannot read the log 'nowhere.lcmlog'"));
+}
+
+}  // namespace
+}  // namespace citrine
