@@ -120,6 +120,12 @@ int ElementsUnreachable(const std::vector<UavFlight>& uavs) {
   return most;
 }
 
+double ValueAt(const Series& series, double time_s) {
+  const auto later = std::upper_bound(series.begin(), series.end(), time_s,
+                                      [](double t, const auto& sample) { return t < sample.first; });
+  return later == series.begin() ? 0.0 : std::prev(later)->second;
+}
+
 std::optional<double> MaxOf(const Series& series) {
   if (series.empty()) return std::nullopt;
   return std::max_element(series.begin(), series.end(), [](auto& a, auto& b) { return a.second < b.second; })

@@ -46,6 +46,9 @@ std::int64_t Decisions(const std::vector<UavFlight>& uavs);
 int ElementsGivenUp(const std::vector<UavFlight>& uavs);
 int ElementsUnreachable(const std::vector<UavFlight>& uavs);
 
+/// The newest value at a time [s]; 0 before the first.
+double ValueAt(const Series& series, double time_s);
+
 /// Largest value; nothing if empty. Smallest likewise.
 std::optional<double> MaxOf(const Series& series);
 std::optional<double> MinOf(const Series& series);

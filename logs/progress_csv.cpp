@@ -1,18 +1,29 @@
 #include "logs/progress_csv.h"
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <stdexcept>
 
-#include "logs/flight_measures.h"
 #include "logs/number_text.h"
 
 namespace citrine::logs {
 namespace {
 
-/// The newest value at a time; 0 before the first.
-double At(const Series& series, double time_s) {
-  const auto later = std::upper_bound(series.begin(), series.end(), time_s,
-                                      [](double t, const auto& sample) { return t < sample.first; });
-  return later == series.begin() ? 0.0 : std::prev(later)->second;
+std::vector<std::string> CellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+double NumberIn(const std::vector<std::string>& cells, std::size_t index) {
+  double value = 0;
+  if (index < cells.size()) {
+    const std::string& cell = cells[index];
+    if (std::from_chars(cell.data(), cell.data() + cell.size(), value).ec == std::errc()) return value;
+  }
+  throw std::runtime_error("progress.csv: a line is cut short or holds no number");
 }
 
 }  // namespace
@@ -32,10 +43,26 @@ std::string ProgressCsv(const FlightRecord& record) {
       text += "," + std::to_string(count);
     for (const double z : {p.z_bar_sat, p.z_sat, p.z_goal}) text += "," + Fixed(z, 6);
     text += "," + Fixed(p.known_pct, 3);
-    for (const Series& path : paths) text += "," + Fixed(At(path, Seconds(utime)), 3);
+    for (const Series& path : paths) text += "," + Fixed(ValueAt(path, Seconds(utime)), 3);
     text += "\n";
   }
   return text;
+}
+
+Series ColumnOverTime(const std::string& progress_csv, const std::string& column) {
+  std::istringstream lines(progress_csv);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> head = CellsOf(line);
+  const auto found = std::find(head.begin(), head.end(), column);
+  if (found == head.end()) throw std::runtime_error("progress.csv: no column " + column);
+  const auto index = static_cast<std::size_t>(found - head.begin());
+  Series series;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = CellsOf(line);
+    series.emplace_back(NumberIn(cells, 0), NumberIn(cells, index));
+  }
+  return series;
 }
 
 }  // namespace citrine::logs

@@ -42,7 +42,7 @@ logs::Metrics ReportOn(const ResolvedMission& mission, const Flight& flight) {
   inputs.wall_time_s = flight.wall_time_s;
   inputs.in_process = mission.config.launch.in_process;
   inputs.pace = mission.config.launch.pace;
-  inputs.commit = mission.flown.commit;
+  inputs.commit = mission.flown.commit + (mission.flown.dirty ? "-dirty" : "");
   inputs.cache_folder = CacheFolder();
   return WriteReport(mission.config.launch.out, inputs);
 }

@@ -4,6 +4,7 @@
 
 #include "modules/launch/replay_options.h"
 #include "modules/launch/run_options.h"
+#include "modules/launch/sweep/sweep_options.h"
 
 namespace citrine {
 
@@ -26,5 +27,6 @@ int ShowKeys();
 int ShowWorld(const std::string& file);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
+int RunSweep(const SweepOptions& options);
 
 }  // namespace citrine

@@ -7,6 +7,7 @@
 #include "core/config/config_file.h"
 #include "core/config/number_text.h"
 #include "modules/launch/commands.h"
+#include "modules/launch/sweep/sweep_command_line.h"
 
 namespace citrine {
 namespace {
@@ -123,6 +124,10 @@ int Main(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
   report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
   report->final_callback([&] { exit_code = Report(results); });
+
+  CLI::App* sweep = app.add_subcommand("sweep", "Fly many missions and write tables and figures");
+  SweepCommand sweep_command(*sweep);
+  sweep->final_callback([&] { exit_code = RunSweep(sweep_command.options); });
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,107 @@
+#include "modules/launch/sweep/parallel_runs.h"
+
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "core/config/config.h"
+#include "modules/launch/interrupts.h"
+#include "modules/launch/project.h"
+#include "modules/launch/supervisor.h"
+
+namespace citrine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kParallel = "parallel";
+constexpr std::chrono::milliseconds kPoll{200};
+
+std::string ReadText(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// A job a line: its folder, a tab, and the shell that flies it.
+void WriteJobList(const std::vector<SweepJob>& jobs, const ParallelOptions& options, const fs::path& file) {
+  std::ofstream out(file);
+  for (const SweepJob& job : jobs)
+    out << job.folder << "\t" << ShellLine(job, options.program, options.keep_logs) << "\n";
+  out.close();
+  if (!out) throw ConfigError(file.string() + ": cannot be written");
+}
+
+std::vector<std::string> ArgumentsOf(const ParallelOptions& options, const fs::path& list,
+                                     const fs::path& log) {
+  std::vector<std::string> arguments = {"env",
+                                        "-C",
+                                        ProjectFolder(),
+                                        kParallel,
+                                        "--will-cite",
+                                        "--arg-file",
+                                        list,
+                                        "--colsep",
+                                        "\t",
+                                        "--joblog",
+                                        log,
+                                        "--jobs",
+                                        options.jobs > 0 ? std::to_string(options.jobs) : "100%"};
+  if (!options.hosts.empty())
+    arguments.insert(arguments.end(),
+                     {"--sshlogin", options.hosts, "--workdir", ProjectFolder(), "--return", "./{1}"});
+  arguments.emplace_back("sh -c {2}");
+  return arguments;
+}
+
+}  // namespace
+
+std::vector<EndedJob> ReadJobLog(const std::string& text) {
+  std::vector<EndedJob> ended;
+  std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string host, start_s, sent, received;
+    std::size_t sequence = 0;
+    int exit_code = 0, signal = 0;
+    double wall_s = 0;
+    if (!(fields >> sequence >> host >> start_s >> wall_s >> sent >> received >> exit_code >> signal))
+      continue;
+    if (sequence > 0) ended.push_back({sequence - 1, signal > 0 ? 128 + signal : exit_code, wall_s});
+  }
+  return ended;
+}
+
+bool RunInParallel(const std::vector<SweepJob>& jobs, const ParallelOptions& options,
+                   const std::function<void(const EndedJob&)>& on_end) {
+  const fs::path list = fs::path(options.folder) / "jobs.tsv", log = fs::path(options.folder) / "joblog.tsv";
+  WriteJobList(jobs, options, list);
+  fs::remove(log);
+  Supervisor supervisor(options.folder);
+  supervisor.Start({kParallel, ArgumentsOf(options, list, log)});
+
+  std::size_t heard = 0;
+  int forwarded = 0;
+  std::vector<Departure> departures;
+  while (departures.empty()) {
+    std::this_thread::sleep_for(kPoll);
+    departures = supervisor.TakeDepartures();
+    for (; forwarded < Interrupts(); ++forwarded) supervisor.Signal(kParallel, SIGTERM);
+    const std::vector<EndedJob> ended = ReadJobLog(ReadText(log));
+    for (; heard < ended.size(); ++heard)
+      if (ended[heard].index < jobs.size()) on_end(ended[heard]);
+  }
+  if (heard == 0 && Interrupts() == 0)
+    throw ConfigError("GNU Parallel has run nothing (" + departures.front().how() + "):\n" +
+                      supervisor.LastWords(kParallel, 5));
+  return heard == jobs.size();
+}
+
+}  // namespace citrine
