@@ -151,7 +151,7 @@ struct PlannerSection {
   int corrected_selections = 2;
   double correction_expiry_s = 20;
   double decision_latency_s = 0.1;
-  double lookahead_s = 0.6;
+  double lookahead_s = 1.4;
   double path_margin_m = 0.1;
   double hop_min_m = 2.5;
 
@@ -182,9 +182,9 @@ struct PlannerSection {
 /// [smoother]
 struct SmootherSection {
   double replan_ahead_s = 0.12;
-  double weight_time = 100;
-  double weight_clearance = 2000;
-  double weight_limits = 30000;
+  double weight_time = 600;
+  double weight_clearance = 40000;
+  double weight_limits = 100000;
   int evaluations_max = 200;
   double guard_hz = 20;
 

@@ -10,13 +10,13 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kReached_m = 0.25;
 constexpr Utime kRetry = 500'000;
 constexpr Utime kPatience = 2'000'000;  ///< at rest short of the path's end
 constexpr double kCommitHorizon_s = 6;  ///< in which a new trajectory must stay clear of the newest scan
 constexpr int kFailuresMax = 3;
-constexpr Utime kSample = 50'000;
+constexpr Utime kSample = 50'000, kInstant = 20'000;
 constexpr double kClearer_m = 0.01;
+constexpr double kThere_m = 0.02;  ///< a path's end this near to where the UAV hovers is not worth a motion
 
 }  // namespace
 
@@ -31,6 +31,14 @@ FlightExecutive::FlightExecutive(const FlightSettings& settings, const PlanningM
 
 void FlightExecutive::HearPath(const Path& path) {
   if (has_path_ && path.id <= path_.id) return;
+  const std::optional<Eigen::Vector3d> former_end_W =
+      path_.waypoints.empty() ? std::nullopt : std::optional(path_.waypoints.back().p_W);
+  const auto leads_through = [&](const std::optional<Eigen::Vector3d>& p_W) {
+    return p_W && path.waypoints.size() > 2 &&
+           std::any_of(path.waypoints.begin() + 1, path.waypoints.end() - 1,
+                       [&](const Waypoint& waypoint) { return waypoint.p_W == *p_W; });
+  };
+  if (!leads_through(pass_W_)) pass_W_ = leads_through(former_end_W) ? former_end_W : std::nullopt;
   path_ = path;
   path_is_new_ = has_path_ = true;
 }
@@ -60,6 +68,7 @@ void FlightExecutive::HearTeammate(int uav, const UavState& state) {
 void FlightExecutive::Act(Utime now, bool map_changed) {
   planned_ = false;
   if (!committed_) return;
+  if (pass_W_ && Passes(now, now)) pass_W_.reset();
   if (std::exchange(path_is_new_, false)) {
     failures_ = 0;
     blocked_ = false;
@@ -81,8 +90,15 @@ void FlightExecutive::Act(Utime now, bool map_changed) {
 
 bool FlightExecutive::Replan(Utime now) {
   planned_ = true;
-  const FlightPlanner::Task task{*committed_, now, now + FromSeconds(settings_.replan_ahead_s), path_,
-                                 scene_};
+  if (AtRest(now) && (committed_->At(now).p_W - path_.waypoints.back().p_W).norm() <= kThere_m) {
+    Trajectory there = Hover(committed_->At(now).p_W, committed_->At(now).yaw_rad, now);
+    there.path_id = path_.id;
+    Commit(std::move(there), false);
+    return true;
+  }
+  const Utime at = now + FromSeconds(settings_.replan_ahead_s);
+  const bool passes = pass_W_ && !Passes(now, at);
+  const FlightPlanner::Task task{*committed_, now, at, path_, passes ? pass_W_ : std::nullopt, scene_};
   const auto accept = [&](const Trajectory& found) {
     return !guard_.FindHit(found, task.at, scene_, kCommitHorizon_s);
   };
@@ -166,6 +182,13 @@ void FlightExecutive::Commit(Trajectory trajectory, bool braking) {
 bool FlightExecutive::HeadsForPathEnd() const {
   if (!has_path_ || path_.waypoints.empty() || committed_->path_id != path_.id) return false;
   return (committed_->At(committed_->end()).p_W - path_.waypoints.back().p_W).norm() <= kReached_m;
+}
+
+bool FlightExecutive::Passes(Utime from, Utime to) const {
+  for (Utime t = from;; t = std::min(t + kInstant, to)) {
+    if ((committed_->At(t).p_W - *pass_W_).norm() <= kReached_m) return true;
+    if (t >= to) return false;
+  }
 }
 
 bool FlightExecutive::PathFinished(Utime now) const {

@@ -27,10 +27,10 @@ struct FlightSettings {
 /// it only by another such one that continues it exactly. Nouns in, nouns out: Hear...() what arrives, then
 /// Act() once a step.
 ///
-/// A new path is smoothed at once, without stopping between goals. What is committed is checked again when
-/// the map changes and by the guard; if it is no longer good: another trajectory to the same goal, else brake
-/// along it, else brake straight. A path that cannot be flown is tried again every half second and reported
-/// kBlocked after three failures.
+/// A new path is smoothed at once, without stopping between goals; where it leads through the end of the one
+/// before, so does the motion. What is committed is checked again when the map changes and by the guard; if
+/// it is no longer good: another trajectory to the same goal, else brake along it, else brake straight. A
+/// path that cannot be flown is tried again every half second and reported kBlocked after three failures.
 class FlightExecutive {
  public:
   /// @param map outlives it
@@ -61,6 +61,8 @@ class FlightExecutive {
   bool AtRest(Utime now) const { return committed_->end() <= now; }
   bool PathFinished(Utime now) const;
   bool HeadsForPathEnd() const;
+  /// Whether the committed motion looks from the place to be passed between two instants.
+  bool Passes(Utime from, Utime to) const;
   /// How near a motion comes to what is occupied or unknown, or to a teammate beyond the radius [m].
   double LeastClearance(const Trajectory& trajectory, Utime from) const;
 
@@ -70,8 +72,9 @@ class FlightExecutive {
   FlightScene scene_;
   Every guard_due_;
   std::optional<Trajectory> committed_;
-  bool braking_ = false;  ///< the committed trajectory is a brake
-  Path path_;             ///< the newest
+  bool braking_ = false;                   ///< the committed trajectory is a brake
+  Path path_;                              ///< the newest
+  std::optional<Eigen::Vector3d> pass_W_;  ///< the former path's end that is still to be passed
   bool path_is_new_ = false;
   bool has_path_ = false;
   int failures_ = 0;

@@ -62,7 +62,7 @@ std::optional<Trajectory> FlightPlanner::Plan(const Task& task,
     *why = "an obstacle in the newest scan";
     return false;
   };
-  const Points joined = Join(task.path, start.p_W);
+  const Points joined = Join(task, start.p_W);
   std::optional<Trajectory> found;
   if (!joined.empty() && accepted(found = Smooth(task, joined, why))) return found;
   const Points anew = FindAnew(task, start.p_W);
@@ -74,8 +74,11 @@ std::optional<Trajectory> FlightPlanner::Plan(const Task& task,
   return std::nullopt;
 }
 
-FlightPlanner::Points FlightPlanner::Join(const Path& path, const Eigen::Vector3d& start_W) const {
-  for (std::size_t i = path.waypoints.size(); i-- > 0;) {
+FlightPlanner::Points FlightPlanner::Join(const Task& task, const Eigen::Vector3d& start_W) const {
+  const Path& path = task.path;
+  std::size_t last = 0;  // that has to be visited
+  while (last + 1 < path.waypoints.size() && path.waypoints[last].p_W != task.pass_W) ++last;
+  for (std::size_t i = last + 1; i-- > 0;) {
     if (!space_.LegSafe(start_W, path.waypoints[i].p_W)) continue;
     Points points_W = {start_W};
     for (std::size_t k = i; k < path.waypoints.size(); ++k) points_W.push_back(path.waypoints[k].p_W);
@@ -99,7 +102,7 @@ std::optional<Trajectory> FlightPlanner::Smooth(const Task& task, const Points& 
                                                 std::string* why) const {
   const TrajectoryPoint start = task.flown.At(task.at);
   if (points_W.size() < 2) return std::nullopt;
-  SmoothingTask smoothing{{start.p_W, start.v_W, start.a_W}, task.at, points_W};
+  SmoothingTask smoothing{{start.p_W, start.v_W, start.a_W}, task.at, points_W, task.pass_W};
   if (points_W.size() == 2 && (points_W[1] - points_W[0]).norm() < kShortest_m && start.v_W.norm() < kStill)
     return std::nullopt;
   FlightWeights weights = weights_;

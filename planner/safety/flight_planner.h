@@ -16,7 +16,8 @@ namespace citrine::planner {
 using SolveMotion = std::function<SmoothingResult(const FlightScene&, const FlightWeights&,
                                                   const SmoothingTask&, const SmoothingResult* warm)>;
 
-/// From a path to a checked trajectory, by a ladder: smooth the path; the same with what was violated
+/// From a path to a checked trajectory, by a ladder: smooth the path, through the waypoint that is to be
+/// passed; the same with what was violated
 /// weighing more; smooth a way found anew around what stands there; and from a standing start, straight legs
 /// from rest to rest.
 class FlightPlanner {
@@ -29,6 +30,7 @@ class FlightPlanner {
     const Trajectory& flown;
     Utime now = 0, at = 0;
     const Path& path;
+    std::optional<Eigen::Vector3d> pass_W;  ///< one of its waypoints that is flown through within kReached_m
     const FlightScene& scene;
   };
 
@@ -42,7 +44,7 @@ class FlightPlanner {
 
   /// The path's points from a start on, without those that need not be visited; empty: no point can be seen
   /// from there.
-  Points Join(const Path& path, const Eigen::Vector3d& start_W) const;
+  Points Join(const Task& task, const Eigen::Vector3d& start_W) const;
   Points FindAnew(const Task& task, const Eigen::Vector3d& start_W);
   std::optional<Trajectory> Smooth(const Task& task, const Points& points_W, std::string* why) const;
   std::optional<Trajectory> FlyLegs(const Task& task, const Points& points_W, std::string* why) const;

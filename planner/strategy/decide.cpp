@@ -28,8 +28,8 @@ struct ViewPlanner::Prospect {
 };
 
 ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
-  const TrajectoryPoint start = Ahead(now);
-  reachable_.Update(start.p_W);
+  const Start start = StartOf(now);
+  reachable_.Update(start.leaves.p_W);
   blocked_.erase(
       std::remove_if(blocked_.begin(), blocked_.end(), [&](const Blocked& b) { return b.until <= now; }),
       blocked_.end());
@@ -57,22 +57,25 @@ ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
   return outcome;
 }
 
-ViewPlanner::Prospect ViewPlanner::LookAround(const TrajectoryPoint& start, Utime now) {
+ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   Prospect prospect;
   prospect.others = fleet_.Alive(now);
   prospect.elements = ListElements(map_, surface_, [&](std::uint32_t voxel) { return memory_.Skips(voxel); });
   elements_active_ = static_cast<std::int32_t>(prospect.elements.size());
   if (goal_ && goal_->finished) {
     const bool there = (state_->X_WB.p - goal_->view.p_W).norm() < 0.5;
-    RememberLook(prospect.elements, there ? state_->X_WB.p : start.p_W, there, now);
+    RememberLook(prospect.elements, goal_->view, there ? state_->X_WB.p : start.p_W, there, now);
   }
 
   std::vector<std::uint32_t> taken;
   looks_.AppendTo(taken);
-  for (const FleetView::Other& other : prospect.others) {
-    if (!other.has_goal) continue;
-    const std::vector<std::uint32_t> seen = WellSeenFrom(map_, prospect.elements, window_, other.goal_W);
+  const auto take = [&](const Eigen::Vector3d& p_W) {
+    const std::vector<std::uint32_t> seen = WellSeenFrom(map_, prospect.elements, window_, p_W);
     taken.insert(taken.end(), seen.begin(), seen.end());
+  };
+  if (passing_) take(passing_->view.p_W), taken.push_back(passing_->view.element);
+  for (const FleetView::Other& other : prospect.others) {
+    if (other.has_goal) take(other.goal_W);
   }
   std::sort(taken.begin(), taken.end());
   const auto is_taken = [&](const Element& e) {
@@ -101,12 +104,12 @@ void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d&
   if (goes_on) std::erase_if(views, [&](const View& view) { return distance_m(view) < hop_m; });
 }
 
-void ViewPlanner::RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal,
-                               Utime now) {
+void ViewPlanner::RememberLook(const std::vector<Element>& elements, const View& view,
+                               const Eigen::Vector3d& p_W, bool at_view, Utime now) {
   std::vector<std::uint32_t> seen = WellSeenFrom(map_, elements, window_, p_W);
-  const std::uint32_t own = goal_->view.element;
+  const std::uint32_t own = view.element;
   const bool active = surface_.At(own) >= SurfaceClass::kLqse && !memory_.Skips(own);
-  if (at_goal && active && !std::binary_search(seen.begin(), seen.end(), own)) seen.push_back(own);
+  if (at_view && active && !std::binary_search(seen.begin(), seen.end(), own)) seen.push_back(own);
   std::vector<ElementMemory::Before> before;
   for (const std::uint32_t voxel : seen) before.push_back(memory_.Note(map_, voxel));
   looks_.Add(std::move(before), map_.revision(), now);
@@ -151,7 +154,7 @@ bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
   return true;
 }
 
-std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now,
+std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const Start& start, Utime now,
                                           Path& path) {
   if (prospect.views.empty()) return std::nullopt;
   std::vector<Eigen::Vector3d> others_W;
@@ -170,11 +173,11 @@ std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const Trajec
                             prospect.views,
                             uav_,
                             start.p_W,
-                            start.v_W,
+                            start.leaves.v_W,
                             others_W,
                             correction ? &correction->centroid_W_by_uav : nullptr};
   return strategy_->Choose(situation, [&](const View& view) {
-    std::optional<Path> found = find_path_(start.p_W, view.p_W, avoid);
+    std::optional<Path> found = FindWay(start, view, avoid);
     if (found && found->ends_at_goal) {
       path = std::move(*found);
       return true;
@@ -183,6 +186,17 @@ std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const Trajec
     memory_.CountBlocked(map_, view.element);
     return false;
   });
+}
+
+std::optional<Path> ViewPlanner::FindWay(const Start& start, const View& view,
+                                         const std::vector<PlanningMap::Ball>& avoid) {
+  std::optional<Path> way = find_path_(start.p_W, view.p_W, avoid);
+  if (!way || !start.through) return way;
+  std::vector<Waypoint> before = {{start.leaves.p_W, reachable_.space().FreeRadius(start.leaves.p_W)}};
+  const std::optional<Path> there = find_path_(start.leaves.p_W, start.p_W, avoid);
+  if (there && there->ends_at_goal) before.assign(there->waypoints.begin(), there->waypoints.end() - 1);
+  way->waypoints.insert(way->waypoints.begin(), before.begin(), before.end());
+  return way;
 }
 
 void ViewPlanner::Commit(const Prospect& prospect, const View& view, Path path, Utime now) {
@@ -229,9 +243,11 @@ void ViewPlanner::NoChoice(const Prospect& prospect, Utime now) {
   const bool on_the_way = goal_ && goal_->looked_ahead && (state_->X_WB.p - goal_->view.p_W).norm() > 0.25;
   if (on_the_way) {
     goal_->finished = false;
+    passing_.reset();
     return;
   }
   goal_.reset();
+  passing_.reset();
   CountStandOffs(prospect, now);
   const bool none = prospect.candidates.views.empty();
   retry_ = !none || prospect.candidates.untested > 0 || prospect.some_taken;

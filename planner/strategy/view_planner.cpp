@@ -10,10 +10,11 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kReached_m = 0.25;
 constexpr double kNearGoal_m = 0.3;  ///< a trajectory that ends this near leads to the goal
 constexpr double kIdlePeriod_s = 0.5;
 constexpr double kStalled_s = 2.0;
+constexpr double kLate_s =
+    2.0;  ///< after it would have been at rest there, a view that was to be passed is given up
 constexpr double kBlocked_s = 10.0;
 constexpr int kWaitSteps = 5;
 constexpr double kLittle = 0.25;  ///< share of a goal's elements below which little gain is left
@@ -78,11 +79,19 @@ TrajectoryPoint ViewPlanner::Ahead(Utime now) const {
   return point;
 }
 
+ViewPlanner::Start ViewPlanner::StartOf(Utime now) const {
+  Start start{Ahead(now), {}};
+  start.through = passing_ && (start.leaves.p_W - passing_->view.p_W).norm() > kReached_m;
+  start.p_W = start.through ? passing_->view.p_W : start.leaves.p_W;
+  return start;
+}
+
 ViewPlanner::Outcome ViewPlanner::Tick(Utime now, std::int64_t map_version) {
   Outcome outcome;
   if (!state_ || first_map_ < 0) return outcome;
   correction_.Update(fleet_.Mates(now), now);
   if (looks_.Judge(map_, surface_, now, memory_)) retry_ = true;
+  if (passing_) Pass(now);
   if (!deciding_since_ && (goal_ ? GoalCallsForDecision(now) : IdleCallsForDecision(now))) Trigger(now);
   map_is_new_ = false;
   if (!deciding_since_ || now < *deciding_since_ + FromSeconds(config_.planner.decision_latency_s))
@@ -113,6 +122,7 @@ bool ViewPlanner::GoalCallsForDecision(Utime now) {
   if ((state_->X_WB.p - goal_W).norm() <= kReached_m ||
       (mine && flight_.phase == FlightStatus::Phase::kReached)) {
     goal_->finished = true;
+    passing_.reset();
     return true;
   }
   const bool stalled =
@@ -122,18 +132,24 @@ bool ViewPlanner::GoalCallsForDecision(Utime now) {
     return true;
   }
   if (LooksAheadNow(now)) {
-    goal_->finished = goal_->looked_ahead = true;
+    goal_->looked_ahead = true;
+    if (SeenOnLeaving(now))
+      goal_->finished = true;
+    else
+      passing_ = Passing{goal_->view, trajectory_->end() + FromSeconds(kLate_s)};
     return true;
   }
   return map_is_new_ && GoalWorthless();
 }
 
 bool ViewPlanner::LooksAheadNow(Utime now) const {
-  if (goal_->looked_ahead || !trajectory_ || trajectory_->path_id != path_->id) return false;
+  if (goal_->looked_ahead || passing_ || !trajectory_ || trajectory_->path_id != path_->id) return false;
   const Utime end = trajectory_->end();
   if (end > now + FromSeconds(config_.planner.lookahead_s)) return false;
-  if ((trajectory_->At(end).p_W - goal_->view.p_W).norm() > kNearGoal_m) return false;
-  // Only if what the view was made for will have been seen by the time that the UAV turns away.
+  return (trajectory_->At(end).p_W - goal_->view.p_W).norm() <= kNearGoal_m;
+}
+
+bool ViewPlanner::SeenOnLeaving(Utime now) const {
   const Eigen::Vector3d p_W = Ahead(now + FromSeconds(config_.planner.decision_latency_s)).p_W;
   const auto active = [&](std::uint32_t voxel) {
     return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
@@ -141,6 +157,15 @@ bool ViewPlanner::LooksAheadNow(Utime now) const {
   const std::vector<Element> left = ListElements(
       map_, surface_, [&](std::uint32_t voxel) { return voxel != goal_->view.element || !active(voxel); });
   return left.empty() || WellSeen(map_, left.front(), window_, p_W);
+}
+
+void ViewPlanner::Pass(Utime now) {
+  const View view = passing_->view;
+  const bool there = (state_->X_WB.p - view.p_W).norm() <= kReached_m;
+  if (there)
+    RememberLook(ListElements(map_, surface_, [&](std::uint32_t voxel) { return memory_.Skips(voxel); }),
+                 view, view.p_W, true, now);
+  if (there || now > passing_->until) passing_.reset();
 }
 
 bool ViewPlanner::GoalWorthless() const {
@@ -156,6 +181,7 @@ void ViewPlanner::GoalBlocked(Utime now) {
   blocked_.push_back({goal_->view.p_W, now + FromSeconds(kBlocked_s)});
   memory_.CountBlocked(map_, goal_->view.element);
   goal_.reset();
+  passing_.reset();
 }
 
 bool ViewPlanner::IdleCallsForDecision(Utime now) const {

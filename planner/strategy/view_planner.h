@@ -82,27 +82,47 @@ class ViewPlanner {
     Utime until;
   };
   struct Prospect;
+  /// A view that is still to be looked from while the next one is flown to.
+  struct Passing {
+    View view;
+    Utime until;
+  };
+  /// Where a decision begins.
+  struct Start {
+    TrajectoryPoint leaves;  ///< the state in which the committed trajectory is left
+    Eigen::Vector3d
+        p_W;  ///< where the way to the next view begins: there, or at the view that is passed first
+    bool through = false;  ///< the latter
+  };
 
   TrajectoryPoint Ahead(Utime now) const;
+  Start StartOf(Utime now) const;
   void Trigger(Utime now);
   bool GoalCallsForDecision(Utime now);
   bool GoalWorthless() const;
   bool LooksAheadNow(Utime now) const;
+  /// Whether what the goal was made for will have been seen where a decision triggered now would leave.
+  bool SeenOnLeaving(Utime now) const;
+  void Pass(Utime now);
   void GoalBlocked(Utime now);
   bool IdleCallsForDecision(Utime now) const;
   bool MateDecidesFirst(Utime now) const;
 
   Outcome Decide(Utime now, std::int64_t map_version);
-  Prospect LookAround(const TrajectoryPoint& start, Utime now);
+  Prospect LookAround(const Start& start, Utime now);
   bool Balance(const Prospect& prospect, Utime now);
   bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, Utime now) const;
-  std::optional<Choice> Choose(const Prospect& prospect, const TrajectoryPoint& start, Utime now, Path& path);
+  std::optional<Choice> Choose(const Prospect& prospect, const Start& start, Utime now, Path& path);
+  /// The way to a view, through the one that is passed first if there is one.
+  std::optional<Path> FindWay(const Start& start, const View& view,
+                              const std::vector<PlanningMap::Ball>& avoid);
   void Commit(const Prospect& prospect, const View& view, Path path, Utime now);
   /// Counts views that are left to an idle mate, who does not take them: after three times they are given up.
   void CountStandOffs(const Prospect& prospect, Utime now);
   void NoChoice(const Prospect& prospect, Utime now);
-  void RememberLook(const std::vector<Element>& elements, const Eigen::Vector3d& p_W, bool at_goal,
-                    Utime now);
+  /// @param at_view whether it is looked from where the view is, and not only on the way to it
+  void RememberLook(const std::vector<Element>& elements, const View& view, const Eigen::Vector3d& p_W,
+                    bool at_view, Utime now);
   /// Takes views nearer than `planner.hop_min_m` out where there are others not much farther.
   void LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const;
   bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
@@ -126,6 +146,7 @@ class ViewPlanner {
   std::optional<Trajectory> trajectory_;
   FlightStatus flight_;
   std::optional<Goal> goal_;
+  std::optional<Passing> passing_;
   std::optional<Path> path_;
   std::vector<Blocked> blocked_;
   Score last_score_;

@@ -11,10 +11,10 @@ namespace citrine::planner {
 
 /// What flying badly costs, relative to a unit of jerk energy.
 struct FlightWeights {
-  double time = 100;        ///< a second
-  double clearance = 2000;  ///< to occupied and to unknown, and to the volume's faces
-  double limits = 30000;    ///< of speed and acceleration
-  double teammates = 2000;
+  double time = 600;         ///< a second
+  double clearance = 40000;  ///< to occupied and to unknown, and to the volume's faces
+  double limits = 100000;    ///< of speed and acceleration
+  double teammates = 40000;
 };
 
 /// What a motion has to respect. The map outlives it.

@@ -17,13 +17,19 @@ double Length(const std::vector<Eigen::Vector3d>& points_W) {
   return length;
 }
 
-/// Corners that lie close together are merged; the first and the last stay.
-std::vector<Eigen::Vector3d> Spread(const std::vector<Eigen::Vector3d>& points_W) {
+/// Corners that lie close together are merged; the first, the last and the one to be passed stay.
+std::vector<Eigen::Vector3d> Spread(const std::vector<Eigen::Vector3d>& points_W,
+                                    const std::optional<Eigen::Vector3d>& pass_W) {
+  const auto near = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (a - b).norm() <= kShortestLeg_m;
+  };
   std::vector<Eigen::Vector3d> apart = {points_W.front()};
-  for (std::size_t i = 1; i + 1 < points_W.size(); ++i)
-    if ((points_W[i] - apart.back()).norm() > kShortestLeg_m &&
-        (points_W[i] - points_W.back()).norm() > kShortestLeg_m)
-      apart.push_back(points_W[i]);
+  for (std::size_t i = 1; i + 1 < points_W.size(); ++i) {
+    const Eigen::Vector3d& p_W = points_W[i];
+    const bool spare =
+        near(p_W, apart.back()) || near(p_W, points_W.back()) || (pass_W && near(p_W, *pass_W));
+    if (!spare || p_W == pass_W) apart.push_back(p_W);
+  }
   apart.push_back(points_W.back());
   return apart;
 }
@@ -42,7 +48,7 @@ double RampTime(double s, double length, double v0, double cruise, double a) {
 }  // namespace
 
 InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot& start,
-                        const VehicleLimits& limits) {
+                        const VehicleLimits& limits, const std::optional<Eigen::Vector3d>& pass_W) {
   const double speed = start.v.norm();
   std::vector<Eigen::Vector3d> corners_W = points_W;
   const Eigen::Vector3d ahead = (points_W[1] - points_W[0]).normalized();
@@ -51,7 +57,7 @@ InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot
     const double braking_m = speed * speed / (2 * limits.acceleration_max_mps2);
     corners_W.insert(corners_W.begin() + 1, start.p + start.v / speed * braking_m);
   }
-  corners_W = Spread(corners_W);
+  corners_W = Spread(corners_W, pass_W);
   const double length = Length(corners_W);
   const double piece_m = std::max(kPieceMax_m, length / kPiecesMax);
 
@@ -66,6 +72,9 @@ InitialGuess GuessAlong(const std::vector<Eigen::Vector3d>& points_W, const Knot
   }
   if (guess.points_W.size() == 2)
     guess.points_W.insert(guess.points_W.begin() + 1, (corners_W[0] + corners_W[1]) / 2);
+
+  for (std::size_t i = 1; i + 1 < guess.points_W.size(); ++i)
+    if (guess.points_W[i] == pass_W) guess.pass = i;
 
   const double v0 = std::clamp(start.v.dot((guess.points_W[1] - guess.points_W[0]).normalized()), 0.0,
                                limits.speed_max_mps);

@@ -19,6 +19,7 @@ constexpr double kSteepest = 0.3;
 constexpr double kRelativeCost = 1e-4, kRelativeStep = 1e-5;
 constexpr int kMemory = 20;
 constexpr double kShortest_s = 0.05, kLongest_s = 20;
+constexpr double kPass_m = 0.13;  ///< half the edge of a cube within the ball of kReached_m
 
 /// What NLopt calls: counts, scales, and keeps the best that was seen, whatever code the solver ends with.
 struct Search {
@@ -46,15 +47,33 @@ double ScaledCost(unsigned n, const double* x, double* gradient, void* data) {
   return cost * search->scale;
 }
 
-void Minimise(Search* search, std::size_t points, int evaluations_max) {
+struct Bounds {
+  std::vector<double> lower, upper;
+};
+
+/// Durations stay reasonable, and the point that has to be passed near where it is.
+Bounds BoundsOf(const InitialGuess& guess) {
+  const std::size_t points = 3 * (guess.points_W.size() - 2), n = points + guess.durations_s.size();
+  Bounds bounds{std::vector<double>(n, -HUGE_VAL), std::vector<double>(n, HUGE_VAL)};
+  if (guess.pass)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t i = 3 * (*guess.pass - 1) + axis;
+      bounds.lower[i] = guess.points_W[*guess.pass][static_cast<Eigen::Index>(axis)] - kPass_m;
+      bounds.upper[i] = guess.points_W[*guess.pass][static_cast<Eigen::Index>(axis)] + kPass_m;
+    }
+  std::fill(bounds.lower.begin() + static_cast<std::ptrdiff_t>(points), bounds.lower.end(),
+            std::log(kShortest_s));
+  std::fill(bounds.upper.begin() + static_cast<std::ptrdiff_t>(points), bounds.upper.end(),
+            std::log(kLongest_s));
+  return bounds;
+}
+
+void Minimise(Search* search, const Bounds& bounds, int evaluations_max) {
   const auto n = static_cast<unsigned>(search->x.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(nlopt_create(NLOPT_LD_LBFGS, n),
                                                                  nlopt_destroy);
-  std::vector<double> lower(n, -HUGE_VAL), upper(n, HUGE_VAL);
-  std::fill(lower.begin() + static_cast<std::ptrdiff_t>(3 * points), lower.end(), std::log(kShortest_s));
-  std::fill(upper.begin() + static_cast<std::ptrdiff_t>(3 * points), upper.end(), std::log(kLongest_s));
-  nlopt_set_lower_bounds(solver.get(), lower.data());
-  nlopt_set_upper_bounds(solver.get(), upper.data());
+  nlopt_set_lower_bounds(solver.get(), bounds.lower.data());
+  nlopt_set_upper_bounds(solver.get(), bounds.upper.data());
   nlopt_set_min_objective(solver.get(), ScaledCost, search);
   nlopt_set_vector_storage(solver.get(), kMemory);
   nlopt_set_ftol_rel(solver.get(), kRelativeCost);
@@ -69,7 +88,7 @@ void Minimise(Search* search, std::size_t points, int evaluations_max) {
 
 SmoothingResult Smoother::Solve(const FlightScene& scene, const FlightWeights& weights,
                                 const SmoothingTask& task, const SmoothingResult* warm) const {
-  const InitialGuess guess = GuessAlong(task.points_W, task.start, scene.limits);
+  const InitialGuess guess = GuessAlong(task.points_W, task.start, scene.limits, task.pass_W);
   std::vector<Eigen::Vector3d> inner_W(guess.points_W.begin() + 1, guess.points_W.end() - 1);
   std::vector<double> durations_s = guess.durations_s;
   if (warm) {
@@ -90,7 +109,7 @@ SmoothingResult Smoother::Solve(const FlightScene& scene, const FlightWeights& w
   double steepest = 0;
   for (const double g : search.gradient) steepest = std::max(steepest, std::abs(g));
   if (steepest > 0) search.scale = kSteepest / steepest;
-  Minimise(&search, inner_W.size(), evaluations_max_);
+  Minimise(&search, BoundsOf(guess), evaluations_max_);
 
   SmoothingResult result;
   result.cost = objective.Evaluate(search.best, nullptr);

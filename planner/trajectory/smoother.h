@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/trajectory/path.h"
 #include "planner/trajectory/flight_objective.h"
 
 namespace citrine::planner {
@@ -13,6 +15,7 @@ struct SmoothingTask {
   Knot start;  ///< left exactly so
   Utime begins = 0;
   std::vector<Eigen::Vector3d> points_W;  ///< the way, beginning at start.p; two at least
+  std::optional<Eigen::Vector3d> pass_W;  ///< the inner one of them that is flown through within kReached_m
 };
 
 struct SmoothingResult {

@@ -79,6 +79,65 @@ TEST(FlightExecutive, DoesNotStopBetweenGoals) {
   ExpectWithinLimits(flight);
 }
 
+TEST(FlightExecutive, FliesThroughTheGoalOfThePathBeforeWithoutAStop) {
+  const PlanningMap map = MapOf({40, 30, 8}, EmptySpace);
+  FleetFlight flight(map, {{3, 6, 4}});
+  const Vector3d first(15, 6, 4), second(20, 12, 4);
+  flight.Send(1, first);
+  flight.Fly(2.5);
+  Path onward;
+  onward.id = 100;
+  onward.waypoints = {{flight.Position(1), 1}, {first, 1}, {second, 1}};
+  flight.uav(1).HearPath(onward);
+  double nearest = 100, slowest = 100;
+  while (flight.Position(1).y() < 9) {
+    flight.Step();
+    nearest = std::min(nearest, (flight.Position(1) - first).norm());
+    slowest = std::min(slowest, flight.uav(1).committed()->At(flight.now).v_W.norm());
+  }
+  EXPECT_LE(nearest, kReached_m);
+  EXPECT_GT(slowest, 1.5);  // a turn of 50 degrees
+  EXPECT_TRUE(flight.FlyUntil(1, Phase::kReached, 20));
+  EXPECT_LE((flight.Position(1) - second).norm(), kReached_m);
+  ExpectWithinLimits(flight);
+}
+
+TEST(FlightExecutive, GoesOnToAnotherGoalOnlyThroughThePlaceThatIsStillToBePassed) {
+  const PlanningMap map = MapOf({40, 30, 8}, EmptySpace);
+  FleetFlight flight(map, {{3, 6, 4}});
+  const Vector3d first(15, 6, 4);
+  flight.Send(1, first);
+  flight.Fly(2.5);
+  double nearest = 100;
+  std::int64_t id = 100;
+  for (const Vector3d& next : {Vector3d(20, 12, 4), Vector3d(20, 2, 4)}) {
+    Path onward;
+    onward.id = id++;
+    onward.waypoints = {{flight.Position(1), 1}, {first, 1}, {next, 1}};
+    flight.uav(1).HearPath(onward);
+    flight.Step();
+  }
+  while (flight.status(1).phase != Phase::kReached) {
+    flight.Step();
+    nearest = std::min(nearest, (flight.Position(1) - first).norm());
+  }
+  EXPECT_LE(nearest, kReached_m);
+  EXPECT_LE((flight.Position(1) - Vector3d(20, 2, 4)).norm(), kReached_m);
+  ExpectWithinLimits(flight);
+}
+
+TEST(FlightExecutive, HasReachedAGoalAtWhichItHoversAlready) {
+  const PlanningMap map = MapOf({20, 12, 8}, EmptySpace);
+  FleetFlight flight(map, {{5, 6, 4}});
+  Path here;
+  here.id = 7;
+  here.waypoints = {{{5, 6, 4}, 1}, {{5, 6, 4}, 1}};
+  flight.uav(1).HearPath(here);
+  flight.Step();
+  EXPECT_EQ(flight.status(1).phase, Phase::kReached);
+  EXPECT_EQ(flight.status(1).path_id, 7);
+}
+
 TEST(FlightExecutive, StopsBeforeAWallThatAppearsFourMetresAheadAtFullSpeed) {
   PlanningMap map = MapOf({40, 12, 8}, EmptySpace);
   FleetFlight flight(map, {{3, 6, 4}});

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "planner/trajectory/minimum_jerk_spline.h"
 #include "tests/support/random_map.h"
 
 namespace citrine::planner {
@@ -89,6 +92,31 @@ TEST_F(ViewPlannerTest, PlannersTriggeredTogetherDecideInOrderOfId) {
   EXPECT_GT(decided[1], decided[0]);
   ASSERT_TRUE(statuses[0].has_goal && statuses[1].has_goal);
   EXPECT_GE((statuses[0].goal_W - statuses[1].goal_W).norm(), 2.5);  // two radii and half a metre
+}
+
+TEST_F(ViewPlannerTest, TheNextViewIsChosenInFlightAndFlownToThroughTheOneStillToBeLookedFrom) {
+  Add(1, {FreePlace()});
+  for (int k = 0; k < 6; ++k) Step();
+  ASSERT_TRUE(statuses[0].has_goal);
+  const Eigen::Vector3d first = statuses[0].goal_W;
+  // 4 m behind the view, from where what it was made for is beyond d*; a trajectory of 1.3 s leads to it.
+  const double yaw = statuses[0].goal_yaw_rad;
+  const Eigen::Vector3d back = Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0) * -4;
+  states[0].X_WB.p = first + back;
+  Trajectory there;
+  there.id = 1;
+  there.path_id = planners[0]->path()->id;
+  there.start = now;
+  there.segments = {Quintic({first + back, -back, {0, 0, 0}}, {first}, 1.3)};
+  planners[0]->HearTrajectory(there);
+  do Step();
+  while (!outcomes[0].new_path && now < FromSeconds(0.5));
+  ASSERT_TRUE(outcomes[0].new_path);
+  EXPECT_GT((statuses[0].goal_W - first).norm(), 0.5);
+  const std::vector<Waypoint>& way = planners[0]->path()->waypoints;
+  ASSERT_EQ(way.size(), 3);
+  EXPECT_EQ(way[1].p_W, first);
+  EXPECT_EQ(way[2].p_W, statuses[0].goal_W);
 }
 
 TEST_F(ViewPlannerTest, ABlockedGoalIsNotChosenAgainFor10Seconds) {
