@@ -46,10 +46,9 @@ ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
   outcome.elements = prospect.elements.size();
 
   Path path;
-  const std::optional<Choice> choice = Choose(prospect, start, now, path);
+  const std::optional<std::size_t> choice = Choose(prospect, start, now, path);
   if (choice) {
-    last_score_ = choice->score;
-    Commit(prospect, prospect.views[choice->view], std::move(path), now);
+    Commit(prospect, prospect.views[*choice], std::move(path), now);
     outcome.new_path = true;
   } else {
     NoChoice(prospect, now);
@@ -154,8 +153,8 @@ bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
   return true;
 }
 
-std::optional<Choice> ViewPlanner::Choose(const Prospect& prospect, const Start& start, Utime now,
-                                          Path& path) {
+std::optional<std::size_t> ViewPlanner::Choose(const Prospect& prospect, const Start& start, Utime now,
+                                               Path& path) {
   if (prospect.views.empty()) return std::nullopt;
   std::vector<Eigen::Vector3d> others_W;
   std::vector<PlanningMap::Ball> avoid;

@@ -4,14 +4,14 @@
 
 namespace citrine::planner {
 
-std::optional<Choice> NearestFrontier::Choose(const Situation& situation, const Accept& accept) {
+std::optional<std::size_t> NearestFrontier::Choose(const Situation& situation, const Accept& accept) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < situation.views.size(); ++i)
     order.emplace_back((situation.views[i].p_W - situation.p_W).norm(), i);
   std::sort(order.begin(), order.end());
   for (int offer = 0; offer < std::min<int>(kOffers, static_cast<int>(order.size())); ++offer) {
-    const auto& [distance_m, view] = order[offer];
-    if (accept(situation.views[view])) return Choice{view, {-distance_m, 0, -distance_m, 0}};
+    const std::size_t view = order[offer].second;
+    if (accept(situation.views[view])) return view;
   }
   return std::nullopt;
 }

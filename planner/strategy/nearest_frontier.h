@@ -7,7 +7,7 @@ namespace citrine::planner {
 /// The plainest decision there is: the nearest view (Yamauchi 1997). What every other strategy has to beat.
 class NearestFrontier : public Strategy {
  public:
-  std::optional<Choice> Choose(const Situation& situation, const Accept& accept) override;
+  std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) override;
 };
 
 }  // namespace citrine::planner

@@ -6,7 +6,7 @@
 
 namespace citrine::planner {
 
-std::optional<Choice> QualityAdaptive::Choose(const Situation& situation, const Accept& accept) {
+std::optional<std::size_t> QualityAdaptive::Choose(const Situation& situation, const Accept& accept) {
   const std::vector<View>& views = situation.views;
   const std::vector<double> navigation =
       NavigationScores(views, situation.p_W, situation.v_W, situation.map.grid().voxel_m());
@@ -22,7 +22,7 @@ std::optional<Choice> QualityAdaptive::Choose(const Situation& situation, const 
   for (int offer = 0; offer < kOffers; ++offer) {
     const std::optional<std::size_t> view = best.Next();
     if (!view) break;
-    if (accept(views[*view])) return Choice{*view, best.ScoreOf(*view)};
+    if (accept(views[*view])) return view;
     best.Discard(*view);
   }
   return std::nullopt;

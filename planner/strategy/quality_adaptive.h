@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/strategy/strategy.h"
+#include "planner/view/view_score.h"
 
 namespace citrine::planner {
 
@@ -9,7 +10,7 @@ namespace citrine::planner {
 class QualityAdaptive : public Strategy {
  public:
   explicit QualityAdaptive(const ScoreWeights& weights) : weights_(weights) {}
-  std::optional<Choice> Choose(const Situation& situation, const Accept& accept) override;
+  std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) override;
 
  private:
   ScoreWeights weights_;

@@ -11,7 +11,6 @@
 #include "planner/view/elements.h"
 #include "planner/view/sensor_window.h"
 #include "planner/view/view.h"
-#include "planner/view/view_score.h"
 
 namespace citrine::planner {
 
@@ -32,18 +31,14 @@ struct Situation {
       centroid_W_by_uav;  ///< of an imbalance correction that holds; else null
 };
 
-struct Choice {
-  std::size_t view;
-  Score score;
-};
-
 /// Decides which view to fly to next.
 class Strategy {
  public:
   virtual ~Strategy() = default;
-  /// Offers views to `accept`, best first, until it takes one. nullopt: it took none of those offered
   using Accept = std::function<bool(const View&)>;
-  virtual std::optional<Choice> Choose(const Situation& situation, const Accept& accept) = 0;
+  /// Offers views to `accept`, best first, until it takes one.
+  /// @return its index in the situation's views. nullopt: it took none of those offered
+  virtual std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) = 0;
 };
 
 /// Views offered at most in one decision.

@@ -64,8 +64,6 @@ class ViewPlanner {
   const Path* path() const { return path_ ? &*path_ : nullptr; }
   /// This UAV's own correction, while it is to be said. nullptr: none
   const FleetAssignment* assignment(Utime now) const { return correction_.OwnToRepeat(now); }
-  /// Of the view flown to.
-  const Score& last_score() const { return last_score_; }
 
  private:
   struct Goal {
@@ -112,7 +110,7 @@ class ViewPlanner {
   Prospect LookAround(const Start& start, Utime now);
   bool Balance(const Prospect& prospect, Utime now);
   bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, Utime now) const;
-  std::optional<Choice> Choose(const Prospect& prospect, const Start& start, Utime now, Path& path);
+  std::optional<std::size_t> Choose(const Prospect& prospect, const Start& start, Utime now, Path& path);
   /// The way to a view, through the one that is passed first if there is one.
   std::optional<Path> FindWay(const Start& start, const View& view,
                               const std::vector<PlanningMap::Ball>& avoid);
@@ -149,7 +147,6 @@ class ViewPlanner {
   std::optional<Passing> passing_;
   std::optional<Path> path_;
   std::vector<Blocked> blocked_;
-  Score last_score_;
 
   std::optional<Utime> deciding_since_;
   int waited_steps_ = 0;

@@ -10,11 +10,9 @@ namespace {
 constexpr int kSide = 4;  ///< [voxels]; a grid is made of blocks of 8, so cells fit
 }  // namespace
 
-ClearCells::ClearCells(const PlanningMap& map, Of of)
+ClearCells::ClearCells(const PlanningMap& map)
     : grid_(map.grid()), cells_(grid_.voxels() / kSide), clear_(static_cast<std::size_t>(cells_.prod()), 1) {
-  // Of an empty voxel's class the lowest bit alone is set, of an occupied one's the second.
-  const std::uint32_t flip = of == Of::kEmpty ? 0x01010101u : 0u;
-  const std::uint32_t obstacle = of == Of::kEmpty ? 0x03030303u : 0x02020202u;
+  constexpr std::uint32_t kFourEmpty = 0x01010101u * static_cast<std::uint32_t>(VoxelState::kEmpty);
   const int stride_y = cells_.x(), stride_z = cells_.x() * cells_.y();
   VoxelIndex v;
   for (v.z() = 0; v.z() < grid_.voxels().z(); ++v.z())
@@ -22,7 +20,7 @@ ClearCells::ClearCells(const PlanningMap& map, Of of)
       for (v.x() = 0; v.x() < grid_.voxels().x(); v.x() += kSide) {
         std::uint32_t four;
         std::memcpy(&four, &map.states()[grid_.Linear(v)], sizeof four);
-        four = (four ^ flip) & obstacle;
+        four ^= kFourEmpty;
         if (four == 0) continue;
         // A voxel on the side of its cell spoils the neighbour too.
         const auto reach = [](int at) { return at % kSide == 0 ? -1 : (at % kSide == kSide - 1 ? 1 : 0); };

@@ -9,13 +9,11 @@
 
 namespace citrine::planner {
 
-/// Cells of 4x4x4 voxels in which, and within one voxel of which, nothing is in the way of a line of sight:
-/// where it need not be walked voxel by voxel.
+/// Cells of 4x4x4 voxels in which, and within one voxel of which, all is known to be empty: there a line of
+/// sight need not be walked voxel by voxel.
 class ClearCells {
  public:
-  /// What is not in the way.
-  enum class Of { kEmpty, kEmptyAndUnknown };
-  explicit ClearCells(const PlanningMap& map, Of of = Of::kEmpty);
+  explicit ClearCells(const PlanningMap& map);
 
   /// The share of the segment from a view to an element, seen from the element, from which on only clear
   /// cells are passed: 0 if all are, 1 (or more) if the view's own cell is not.

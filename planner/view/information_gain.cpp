@@ -3,11 +3,9 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <type_traits>
 
 #include "planner/view/visibility.h"
 
@@ -16,15 +14,23 @@ namespace citrine::planner {
 namespace {
 constexpr double kBucket_m = 3.0;
 constexpr float kSlack_m = 1e-3f;  ///< by which float bounds are widened; far above their rounding
-int OccupiedFaces(const PlanningMap& map, const VoxelIndex& v) {
+/// Bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is in a state.
+int FacesIn(VoxelState state, const PlanningMap& map, const VoxelIndex& v) {
   int bits = 0;
   for (int direction = 0; direction < 6; ++direction) {
     VoxelIndex n = v;
     n[direction / 2] += direction % 2 ? 1 : -1;
-    if (map.grid().Contains(n) && map.state(map.grid().Linear(n)) == VoxelState::kOccupied)
-      bits |= 1 << direction;
+    if (map.grid().Contains(n) && map.state(map.grid().Linear(n)) == state) bits |= 1 << direction;
   }
   return bits;
+}
+
+/// Eight octants of directions by three longest axes.
+std::uint32_t SectorOf(const Eigen::Vector3d& to) {
+  const int octant = (to.x() < 0) + 2 * (to.y() < 0) + 4 * (to.z() < 0);
+  Eigen::Index longest;
+  to.cwiseAbs().maxCoeff(&longest);
+  return 1u << (octant + 8 * static_cast<int>(longest));
 }
 
 }  // namespace
@@ -37,11 +43,7 @@ double DistanceWorth(double distance_m, double d_star_m, double eta_m, double ra
 
 InformationGain::InformationGain(const PlanningMap& map, const std::vector<Element>& elements,
                                  const SensorWindow& window, double eta_m)
-    : map_(map),
-      window_(window),
-      eta_m_(eta_m),
-      clear_(map),
-      without_occupied_(map, ClearCells::Of::kEmptyAndUnknown) {
+    : map_(map), window_(window), eta_m_(eta_m), clear_(map) {
   const VoxelGrid& grid = map.grid();
   std::vector<std::pair<int, int>> order;  // bucket, element
   const Eigen::Vector3i cells =
@@ -72,16 +74,15 @@ InformationGain::InformationGain(const PlanningMap& map, const std::vector<Eleme
     normal_x_.push_back(static_cast<float>(e.normal_W.x()));
     normal_y_.push_back(static_cast<float>(e.normal_W.y()));
     normal_z_.push_back(static_cast<float>(e.normal_W.z()));
-    backed_.push_back(OccupiedFaces(map, e.voxel));
-    const auto near_m = static_cast<float>(std::max(0.0, e.d_star_m - eta_m)) - kSlack_m;
-    const auto far_m = static_cast<float>(e.d_star_m + eta_m) + kSlack_m;
-    near2_.push_back(near_m > 0 ? near_m * near_m : 0);
-    far2_.push_back(far_m * far_m);
-    far_worth_ = std::max(far_worth_, 0.5 * (1 - (e.d_star_m + eta_m) / window.range_max_m()));
+    backed_.push_back(FacesIn(VoxelState::kOccupied, map, e.voxel));
+    clouded_.push_back(FacesIn(VoxelState::kUnknown, map, e.voxel));
+    near_m_.push_back(static_cast<float>(e.d_star_m - eta_m) - kSlack_m);
+    far_m_.push_back(static_cast<float>(e.d_star_m + eta_m) + kSlack_m);
   }
-  for (std::vector<float>* row : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_, &near2_, &far2_})
+  for (std::vector<float>* row : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_, &near_m_, &far_m_})
     row->resize(elements_.size() + 8);  // so that the last can be read eight at a time
   backed_.resize(elements_.size() + 8);
+  clouded_.resize(elements_.size() + 8);
 }
 
 template <class Visit>
@@ -94,8 +95,7 @@ void InformationGain::ForEachNear(const Eigen::Vector3d& view_W, Visit&& visit) 
   }
 }
 
-Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W) const {
-  Gain gain;
+void InformationGain::AppendInWindow(const Eigen::Vector3d& view_W, std::vector<InWindow>& elements) const {
   ForEachNear(view_W, [&](const Bucket& bucket) {
     for (int i = bucket.begin; i < bucket.end; ++i) {
       const Element& e = elements_[i];
@@ -103,22 +103,31 @@ Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W) const {
       if (!window_.InFieldOfView(to)) continue;
       const double distance_m = to.norm();
       if (!window_.InRange(distance_m)) continue;
-      const Sight sight = LookAt(map_, e, view_W, &clear_);
-      if (!sight.clear) continue;
-      ++gain.visible;
-      gain.sum += DistanceWorth(distance_m, e.d_star_m, eta_m_, window_.range_max_m()) *
-                  ClearProbability(sight.unknown);
+      elements.push_back({i, SectorOf(to), e.normal_W.dot(to) > 0,
+                          DistanceWorth(distance_m, e.d_star_m, eta_m_, window_.range_max_m())});
     }
   });
+}
+
+Gain InformationGain::Evaluate(const Eigen::Vector3d& view_W) const {
+  Gain gain;
+  std::vector<InWindow> elements;
+  AppendInWindow(view_W, elements);
+  for (const InWindow& e : elements) {
+    const Sight sight = Look(e, view_W);
+    gain.visible += sight.clear;
+    gain.sum += e.worth * Visibility(sight);
+  }
   return gain;
 }
 
 /// Eight elements as seen from a view; sets are bits.
 struct InformationGain::Eight {
-  unsigned in = 0;       ///< perhaps in range and field of view, and not hidden for certain
-  unsigned covered = 0;  ///< the same, and hidden for certain
-  __m256 distance2 = _mm256_setzero_ps();
-  __m256i sector = _mm256_setzero_si256();
+  using Truths = decltype(__m256() < __m256());
+  unsigned in;       ///< perhaps in range and field of view, and not hidden for certain
+  Truths in_lanes;   ///< the same, by lane
+  Truths clouded;    ///< something unknown lies in between for certain
+  __m256 distance2;  ///< [m^2]
 };
 
 template <class Visit>
@@ -131,6 +140,8 @@ void InformationGain::ForEachEight(const Eigen::Vector3d& view_W, Visit&& visit)
   const auto bits = [](auto truth) {
     return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(truth)));
   };
+  typename Eight::Truths lane;
+  for (int k = 0; k < 8; ++k) lane[k] = k;
   const auto abs = [](__m256 a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); };
   ForEachNear(view_W, [&](const Bucket& bucket) {
     for (int i = bucket.begin; i < bucket.end; i += 8) {
@@ -148,67 +159,36 @@ void InformationGain::ForEachEight(const Eigen::Vector3d& view_W, Visit&& visit)
           (along_x & (1 - back_x)) | (along_y & ((1 - back_y) << 2)) | (along_z & ((1 - back_z) << 4));
       const __m256 dot = _mm256_loadu_ps(&normal_x_[i]) * dx + _mm256_loadu_ps(&normal_y_[i]) * dy +
                          _mm256_loadu_ps(&normal_z_[i]) * dz;
-      std::remove_const_t<decltype(along_x)> backed;
+      typename Eight::Truths backed, clouded;
       std::memcpy(&backed, &backed_[i], sizeof backed);
-      const auto hidden = (dot > kSlack_m) & ((backed & first) != 0) & (d2 > 4 * voxel * voxel);
-      const auto in_window = (d2 <= reach * reach) & (d2 >= least * least) &
-                             (dz >= tan_min * rho - kSlack_m) & (dz <= tan_max * rho + kSlack_m);
-      const unsigned window = bits(in_window) & (0xffu >> std::max(0, i + 8 - bucket.end)),
-                     covered = bits(hidden);
-      if (!window) continue;
-      const auto longest = ((ay > ax) & 8) + ((az > ax) & (az > ay) & 8);
-      const auto sector = longest - back_x - 2 * back_y - 4 * back_z;
-      visit(i, Eight{window & ~covered, window & covered, d2, reinterpret_cast<__m256i>(sector)});
+      std::memcpy(&clouded, &clouded_[i], sizeof clouded);
+      const auto more_than_a_step = d2 > 4 * voxel * voxel;
+      const auto hidden = (dot > kSlack_m) & ((backed & first) != 0) & more_than_a_step;
+      const auto in = (d2 <= reach * reach) & (d2 >= least * least) & (dz >= tan_min * rho - kSlack_m) &
+                      (dz <= tan_max * rho + kSlack_m) & ~hidden & (lane < bucket.end - i);
+      if (bits(in)) visit(i, Eight{bits(in), in, ((clouded & first) != 0) & more_than_a_step, d2});
     }
   });
 }
 
-int InformationGain::CountVisible(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min,
-                                  Hunch& hunch) const {
-  struct Candidate {
-    int element;
-    std::uint32_t sector;
-  };
-  std::vector<Candidate> order(static_cast<std::size_t>(bound.visible) + 8);
-  std::size_t first = 0,
-              last =
-                  static_cast<std::size_t>(bound.visible);  // suspects from the front, others from the back
-  alignas(32) std::array<std::uint32_t, 8> sector;
+Gain InformationGain::Bound(const Eigen::Vector3d& view_W) const {
+  const auto range = static_cast<float>(window_.range_max_m());
+  const auto one_look = static_cast<float>(ClearProbability(1));
+  __m256 sums = _mm256_setzero_ps();
+  int visible = 0;
   ForEachEight(view_W, [&](int i, const Eight& eight) {
-    _mm256_store_si256(reinterpret_cast<__m256i*>(sector.data()), eight.sector);
-    for (unsigned left = eight.in; left; left &= left - 1) {
-      const int k = std::countr_zero(left);
-      const Candidate candidate{i + k, 1u << sector[k]};
-      order[hunch[i + k] & candidate.sector ? first++ : --last] = candidate;
-    }
-  });
-  int can_be = bound.visible;
-  for (std::size_t at = 0; at < static_cast<std::size_t>(bound.visible); ++at) {
-    const auto [element, from] = order[at];
-    const Element& e = elements_[element];
-    if (window_.Sees(e.p_W - view_W) && !Occluded(map_, e, view_W, without_occupied_)) {
-      hunch[element] &= ~from;
-      continue;
-    }
-    hunch[element] |= from;
-    if (--can_be < visible_min) return -1;
-  }
-  return can_be;
-}
-
-GainBound InformationGain::Bound(const Eigen::Vector3d& view_W) const {
-  int visible = 0, near = 0, far = 0, covered = 0;
-  ForEachEight(view_W, [&](int i, const Eight& eight) {
-    const auto among = [&](auto truth) {
-      return std::popcount(eight.in &
-                           static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(truth))));
-    };
     visible += std::popcount(eight.in);
-    covered += std::popcount(eight.covered);
-    near += among(eight.distance2 < _mm256_loadu_ps(&near2_[i]));
-    far += among(eight.distance2 > _mm256_loadu_ps(&far2_[i]));
+    const __m256 distance = _mm256_sqrt_ps(eight.distance2);
+    const __m256 far_worth = 0.5f - 0.5f / range * (distance - kSlack_m);
+    __m256 worth = _mm256_set1_ps(1.0f);
+    worth = distance < _mm256_loadu_ps(&near_m_[i]) ? _mm256_set1_ps(0.5f) : worth;
+    worth = distance > _mm256_loadu_ps(&far_m_[i]) ? far_worth : worth;
+    worth = eight.clouded ? one_look * worth : worth;
+    sums += eight.in_lanes ? worth : _mm256_setzero_ps();
   });
-  return {(visible - near - far) + 0.5 * near + far_worth_ * far + 1e-6, visible, covered};
+  double sum = 0;
+  for (int lane = 0; lane < 8; ++lane) sum += static_cast<double>(sums[lane]);
+  return {sum * (1 + kSlack_m) + static_cast<double>(kSlack_m), visible};
 }
 
 }  // namespace citrine::planner

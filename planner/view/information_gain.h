@@ -9,6 +9,7 @@
 #include "planner/view/clear_cells.h"
 #include "planner/view/elements.h"
 #include "planner/view/sensor_window.h"
+#include "planner/view/visibility.h"
 
 namespace citrine::planner {
 
@@ -22,13 +23,6 @@ struct Gain {
   int visible = 0;  ///< |ASE_v|: elements in range and field of view that nothing occupied hides
 };
 
-/// The most that a view's gain can be.
-struct GainBound {
-  double sum = 0;
-  int visible = 0;
-  int hidden = 0;  ///< elements in range and field of view that are hidden for certain
-};
-
 /// Evaluates eq. (8) for views, and bounds it from above without looking for what hides elements.
 class InformationGain {
  public:
@@ -37,19 +31,25 @@ class InformationGain {
 
   Gain Evaluate(const Eigen::Vector3d& view_W) const;
 
-  /// From which of 24 sectors of directions an element was last found hidden, one bit each: where to look
-  /// first for what rules a view out. Changes no result.
-  using Hunch = std::vector<std::uint32_t>;
-  Hunch NoHunch() const { return Hunch(elements_.size(), 0); }
+  /// An element in range and field of view.
+  struct InWindow {
+    int element;           ///< counted by this class
+    std::uint32_t sector;  ///< the one of 24 sectors of directions that it lies in, one bit
+    bool averted;          ///< turns its back to the view
+    double worth;          ///< h of eq. (9)
+  };
+  /// Appends those of a view, in a fixed order.
+  void AppendInWindow(const Eigen::Vector3d& view_W, std::vector<InWindow>& elements) const;
+  /// delta and u of eq. (7) for one of them.
+  Sight Look(const InWindow& element, const Eigen::Vector3d& view_W) const {
+    return LookAt(map_, elements_[element.element], view_W, &clear_);
+  }
+  std::size_t num_elements() const { return elements_.size(); }
 
-  /// |ASE_v| of a view; -1, sooner, if it is less than `visible_min`.
-  /// @param bound  what Bound() said of the view
-  int CountVisible(const Eigen::Vector3d& view_W, const GainBound& bound, int visible_min,
-                   Hunch& hunch) const;
-
-  /// At least what Evaluate gives, in both numbers. Leaves out elements that turn their back to the view and
-  /// whose neighbour on the first step towards it is occupied: those are hidden for certain.
-  GainBound Bound(const Eigen::Vector3d& view_W) const;
+  /// At least what Evaluate gives, in both numbers. Looks only at the neighbour of each element on the first
+  /// step towards the view: one that is occupied hides an element that turns its back, one that is unknown
+  /// counts in u.
+  Gain Bound(const Eigen::Vector3d& view_W) const;
 
  private:
   struct Bucket {
@@ -69,12 +69,11 @@ class InformationGain {
   std::vector<Element> elements_;  ///< by bucket, then by voxel
   std::vector<float> x_, y_, z_;
   std::vector<float> normal_x_, normal_y_, normal_z_;
-  std::vector<int>
-      backed_;  ///< bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is occupied
-  std::vector<float> near2_, far2_;  ///< squared ends of the interval of viewing distances [m^2]
-  double far_worth_ = 0;             ///< the most that h is beyond it
+  std::vector<int> backed_,
+      clouded_;  ///< faces behind which lies an occupied, an unknown voxel; one bit each
+  std::vector<float> near_m_, far_m_;  ///< ends of the interval of viewing distances
   std::vector<Bucket> buckets_;
-  ClearCells clear_, without_occupied_;
+  ClearCells clear_;
 };
 
 }  // namespace citrine::planner

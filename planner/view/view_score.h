@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "planner/view/information_gain.h"
+#include "planner/view/partial_gain.h"
 
 namespace citrine::planner {
 
@@ -29,9 +30,11 @@ struct Score {
 /// Finds the view with the largest J = alpha J_I + beta J_N + gamma J_C (eq. 6) without evaluating all of
 /// them.
 ///
-/// Exact: J_I is bounded by the elements in range and field of view, and views are evaluated in the order of
-/// their bound until none can win; so is the normalising max |ASE_v| of eq. (8). Equal scores: the first in
-/// the list.
+/// Exact: J_I is bounded by the elements in range and field of view, and the view with the highest bound is
+/// looked into further until it is known to the end and no other can win. The normalising max |ASE_v| of eq.
+/// (8) is only known to lie between a count and a bound; J is linear in its inverse, so a view that is ahead
+/// of another at both ends is ahead in between, and the two are brought together only until one view is ahead
+/// at both. Equal scores: the first in the list.
 class BestView {
  public:
   BestView(const InformationGain& gain, std::vector<ViewTerms> views, const ScoreWeights& weights);
@@ -41,22 +44,33 @@ class BestView {
   /// Takes a view out; the normalisation stays that of the whole list.
   void Discard(std::size_t view) { discarded_[view] = true; }
 
-  /// Score of a view that Next() has returned.
-  Score ScoreOf(std::size_t view) const;
-  int most_visible() const { return most_visible_; }
-  int evaluated() const { return evaluated_; }
+  /// What J of a view is made of, whether it is the best or not.
+  Score ScoreOf(std::size_t view);
+  /// max |ASE_v| of eq. (8), which Next() can do without.
+  int MostVisible();
+  /// Views whose gain is known to the end so far.
+  int evaluated() const;
 
  private:
-  void FindMostVisible();
-  double Total(std::size_t view, double gain_sum) const;
+  struct Leader {
+    std::size_t view;
+    bool clearly;  ///< ahead by more than rounding can change, or of views that are alike
+  };
+  struct Interval {
+    int least, most;
+  };
+  Interval MostVisibleBounds() const;
+  void CountFurther();
+  std::optional<Leader> LeaderIf(int most_visible);
+  double Total(std::size_t view, int most_visible) const;
+  bool Alike(std::size_t a, std::size_t b) const;
 
   const InformationGain& gain_;
   std::vector<ViewTerms> views_;
   ScoreWeights weights_;
-  std::vector<GainBound> bound_;
-  std::vector<Gain> exact_;
-  std::vector<bool> known_, discarded_;
-  int most_visible_ = 0, evaluated_ = 0;
+  std::vector<PartialGain> gain_of_;
+  Suspicion suspicion_;
+  std::vector<bool> discarded_;
 };
 
 }  // namespace citrine::planner

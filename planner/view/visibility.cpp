@@ -10,9 +10,10 @@ namespace {
 constexpr int kNearSteps =
     6;  ///< walked before it is asked where the clear rest begins: most that is hidden ends here
 
-template <bool kCountUnknown>
-Sight Walk(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-           const ClearCells* clear) {
+}  // namespace
+
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+             const ClearCells* clear) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const VoxelGrid& grid = map.grid();
   const VoxelIndex end = grid.IndexOf(view_W);
@@ -51,24 +52,12 @@ Sight Walk(const PlanningMap& map, const Element& element, const Eigen::Vector3d
     if (touching) touching = full[axis] - left[axis] <= 1;
     if (state == static_cast<std::uint8_t>(VoxelState::kOccupied)) {
       if (!touching || !in_front) return sight;
-    } else if (kCountUnknown) {
+    } else {
       sight.unknown += state == static_cast<std::uint8_t>(VoxelState::kUnknown);
     }
   }
   sight.clear = true;
   return sight;
-}
-
-}  // namespace
-
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-             const ClearCells* clear) {
-  return Walk<true>(map, element, view_W, clear);
-}
-
-bool Occluded(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-              const ClearCells& clear) {
-  return !Walk<false>(map, element, view_W, &clear).clear;
 }
 
 double ClearProbability(int unknown) {

@@ -24,11 +24,6 @@ struct Sight {
 Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
              const ClearCells* clear = nullptr);
 
-/// Whether the walk of LookAt meets an occupied voxel that hides the element.
-/// @param clear  of the same map, of what is empty and what is unknown
-bool Occluded(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-              const ClearCells& clear);
-
 /// exp(-u): the probability that nothing unknown hides the element (eq. 7).
 double ClearProbability(int unknown);
 

@@ -1,70 +1,125 @@
-// A decision of the planner on about 8000 elements and 800 views: percentiles of its parts.
+// A decision of the planner on about 8000 elements and 800 views and more: percentiles of its parts, and the
+// plain double loop of eq. (8) over the same views beside it.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 
 #include "planner/path/reachable_set.h"
 #include "planner/strategy/candidate_views.h"
+#include "planner/view/dispersion.h"
+#include "planner/view/navigation.h"
 #include "planner/view/view_score.h"
+#include "planner/view/visibility.h"
 #include "tests/support/random_map.h"
 
 using namespace citrine;
 using namespace citrine::planner;
 
 namespace {
+
 double NowMs() {
   return 1e3 * static_cast<double>(std::clock()) /
          CLOCKS_PER_SEC;  // of this process: other load does not count
 }
+
+/// The arg max of eq. (6) as it is written: every view, every element, every voxel in between.
+std::size_t PlainChoice(const PlanningMap& map, const std::vector<Element>& elements,
+                        const std::vector<ViewTerms>& views, const SensorWindow& window) {
+  std::vector<double> sums;
+  int most = 1;
+  for (const ViewTerms& view : views) {
+    double sum = 0;
+    int visible = 0;
+    for (const Element& e : elements) {
+      const Eigen::Vector3d to = e.p_W - view.p_W;
+      if (!window.Sees(to)) continue;
+      const Sight sight = LookAt(map, e, view.p_W);
+      visible += sight.clear;
+      sum += DistanceWorth(to.norm(), e.d_star_m, 0.5, window.range_max_m()) * Visibility(sight);
+    }
+    sums.push_back(sum);
+    most = std::max(most, visible);
+  }
+  std::size_t best = 0;
+  double best_total = -1;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const double total = sums[i] / most + views[i].navigation + 2 * views[i].coordination;
+    if (total > best_total + 1e-12) best = i, best_total = total;
+  }
+  return best;
+}
+
+struct Decision {
+  double list_ms, make_ms, score_ms, plain_ms;
+  std::size_t elements, views;
+  int evaluated;
+};
+
+/// @param share of the surface that is active, one voxel in so many
+Decision Decide(std::uint64_t seed, std::uint32_t share) {
+  testing::RandomMap world(seed, {26, 26, 12}, 16);
+  ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
+  surface.Update(world.map);
+  ReachableSet reachable(world.map, VehicleLimits(), 0.1);
+  reachable.Update(world.Point({26, 26, 8}));
+  const SensorWindow window{LidarModel()};
+  const ViewGenerator generator(
+      world.map, window,
+      [&](const Eigen::Vector3d& p_W) { return reachable.Reaches(p_W) && reachable.space().Slack(p_W) >= 0; },
+      {});
+  ElementMemory memory(world.map.grid(), 10);
+  const Eigen::Vector3d p_W{13, 13, 4}, v_W{2, 0, 0};
+  const double t0 = NowMs();
+  const std::vector<Element> elements =
+      ListElements(world.map, surface, [&](std::uint32_t v) { return v % share != 0; });
+  const double t1 = NowMs();
+  const Candidates candidates = MakeCandidates(world.map, elements, generator, true, p_W, {300, 40}, memory);
+  const double t2 = NowMs();
+  const std::vector<Eigen::Vector3d> others_W{{5, 20, 3}, {20, 18, 5}};
+  const std::vector<double> navigation = NavigationScores(candidates.views, p_W, v_W, 0.25);
+  std::vector<ViewTerms> terms;
+  for (std::size_t i = 0; i < candidates.views.size(); ++i) {
+    const Eigen::Vector3d& view_W = candidates.views[i].p_W;
+    terms.push_back({view_W, navigation[i], Dispersion(view_W, others_W, surface.goals())});
+  }
+  const double t3 = NowMs();
+  const InformationGain gain(world.map, elements, window, 0.5);
+  BestView best(gain, terms, {});
+  const std::optional<std::size_t> choice = best.Next();
+  const double t4 = NowMs();
+  const std::size_t plain = PlainChoice(world.map, elements, terms, window);
+  const double t5 = NowMs();
+  if (choice != plain) {
+    std::printf("seed %d: the choice differs from the plain loop's\n", static_cast<int>(seed));
+    std::exit(1);
+  }
+  return {t1 - t0, t2 - t1, t4 - t3, t5 - t4, elements.size(), candidates.views.size(), best.evaluated()};
+}
+
+void Print(const char* name, const std::vector<Decision>& decisions, double (*of)(const Decision&)) {
+  std::vector<double> values;
+  for (const Decision& decision : decisions) values.push_back(of(decision));
+  std::sort(values.begin(), values.end());
+  std::printf("  %-22s p50 %8.1f  p95 %8.1f\n", name, values[values.size() / 2],
+              values[values.size() * 95 / 100]);
+}
+
 }  // namespace
 
 int main() {
-  std::vector<double> list, make, score, total;
-  std::size_t elements_seen = 0, views_seen = 0;
-  int evaluated = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    testing::RandomMap world(seed, {26, 26, 12}, 16);
-    ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
-    surface.Update(world.map);
-    ReachableSet reachable(world.map, VehicleLimits(), 0.1);
-    reachable.Update(world.Point({26, 26, 8}));
-    const SensorWindow window{LidarModel()};
-    const ViewGenerator generator(world.map, window,
-                                  [&](const Eigen::Vector3d& p_W) {
-                                    return reachable.Reaches(p_W) && reachable.space().Slack(p_W) >= 0;
-                                  },
-                                  {});
-    ElementMemory memory(world.map.grid(), 10);
-    const double t0 = NowMs();
-    const std::vector<Element> elements =
-        ListElements(world.map, surface, [](std::uint32_t v) { return v % 3 != 0; });
-    const double t1 = NowMs();
-    const Candidates candidates =
-        MakeCandidates(world.map, elements, generator, true, {13, 13, 4}, {300, 40}, memory);
-    const double t2 = NowMs();
-    std::vector<ViewTerms> terms;
-    for (const View& view : candidates.views)
-      terms.push_back({view.p_W, world.random().Uniform() * 0.5, world.random().Uniform()});
-    const InformationGain gain(world.map, elements, window, 0.5);
-    BestView best(gain, std::move(terms), {});
-    best.Next();
-    const double t3 = NowMs();
-    list.push_back(t1 - t0);
-    make.push_back(t2 - t1);
-    score.push_back(t3 - t2);
-    total.push_back(t3 - t0);
-    elements_seen += elements.size();
-    views_seen += candidates.views.size();
-    evaluated += best.evaluated();
+  for (const std::uint32_t share : {3u, 1u}) {
+    std::vector<Decision> decisions;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) decisions.push_back(Decide(seed, share));
+    std::printf("every element of %u\n", share);
+    Print("elements", decisions, [](const Decision& d) { return static_cast<double>(d.elements); });
+    Print("views", decisions, [](const Decision& d) { return static_cast<double>(d.views); });
+    Print("views evaluated", decisions, [](const Decision& d) { return static_cast<double>(d.evaluated); });
+    Print("list elements [ms]", decisions, [](const Decision& d) { return d.list_ms; });
+    Print("make views [ms]", decisions, [](const Decision& d) { return d.make_ms; });
+    Print("score [ms]", decisions, [](const Decision& d) { return d.score_ms; });
+    Print("decision [ms]", decisions, [](const Decision& d) { return d.list_ms + d.make_ms + d.score_ms; });
+    Print("plain loop [ms]", decisions, [](const Decision& d) { return d.plain_ms; });
+    Print("plain loop / score", decisions, [](const Decision& d) { return d.plain_ms / d.score_ms; });
   }
-  const auto print = [](const char* name, std::vector<double> ms) {
-    std::sort(ms.begin(), ms.end());
-    std::printf("%-10s p50 %6.1f ms  p95 %6.1f ms\n", name, ms[ms.size() / 2], ms[ms.size() * 95 / 100]);
-  };
-  std::printf("%zu elements, %zu views, %d evaluated (means)\n", elements_seen / 20, views_seen / 20,
-              evaluated / 20);
-  print("elements", list);
-  print("views", make);
-  print("score", score);
-  print("decision", total);
 }

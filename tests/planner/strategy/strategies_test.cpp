@@ -38,7 +38,7 @@ class ChoiceTest : public ::testing::Test {
     const Situation situation{world.map, goals,     window,         0.5,      elements, views, 1,
                               {3, 5, 3}, {0, 0, 0}, {{40, 40, 40}}, centroids};
     const auto choice = MakeStrategy(config)->Choose(situation, [&](const View&) { return reject-- <= 0; });
-    return choice ? choice->view : 99;
+    return choice.value_or(99);
   }
   testing::RandomMap world{1};
   QualityGoals goals;

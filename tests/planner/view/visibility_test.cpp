@@ -73,7 +73,7 @@ TEST(InformationGain, IsTheSumOverAllElementsAndItsBoundIsNeverBelowIt) {
       expected.sum += DistanceWorth(distance, 4.5, 0.5, 10) * Visibility(sight);
     }
     const Gain found = gain.Evaluate(view_W);
-    const GainBound bound = gain.Bound(view_W);
+    const Gain bound = gain.Bound(view_W);
     EXPECT_EQ(found.visible, expected.visible);
     EXPECT_NEAR(found.sum, expected.sum, 1e-9);
     EXPECT_GE(bound.visible, found.visible);
