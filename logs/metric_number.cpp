@@ -34,6 +34,7 @@ constexpr std::array kLabels = std::to_array<LabelRow>({
     {"imbalance_corrections", "Corrections", "", 1},
     {"replan_ms_p50", "Decision p50", "ms", 2},
     {"replan_ms_p95", "Decision p95", "ms", 2},
+    {"bus_bytes", "Bus", "B", 0},
     {"peak_memory_mb", "Memory", "MB", 0},
 });
 

@@ -1,5 +1,6 @@
 #include "logs/text_table.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -55,6 +56,12 @@ std::string MarkdownCell(const std::string& text, Style style) {
   return Wrapped(Replaced(text, {{"|", "\\|"}, {"*", "\\*"}, {"_", "\\_"}}), style, {"**", "**"}, {"*", "*"});
 }
 
+/// UTF-8: bytes that begin a letter.
+std::size_t LettersOf(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 }  // namespace
 
 std::string ToMarkdown(const TextTable& table) {
@@ -101,6 +108,22 @@ std::string ToHtml(const TextTable& table) {
     html += "</tr>";
   }
   return html + "</table>\n";
+}
+
+std::string ToPlain(const TextTable& table) {
+  std::vector<std::vector<std::string>> lines = {table.head};
+  for (const TextTable::Row& row : table.rows) lines.push_back(row.cells);
+  std::vector<std::size_t> widths(table.head.size(), 0);
+  for (const auto& cells : lines)
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], LettersOf(cells[i]));
+  std::string text = table.caption + "\n";
+  for (const auto& cells : lines) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      line += " " + cells[i] + std::string(widths[i] - LettersOf(cells[i]) + 1, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
 }
 
 std::string CsvLine(const std::vector<std::string>& cells) {

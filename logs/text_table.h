@@ -21,6 +21,8 @@ std::string ToMarkdown(const TextTable& table);
 /// A `table*` of a LaTeX article; needs no package.
 std::string ToLatex(const TextTable& table);
 std::string ToHtml(const TextTable& table);
+/// Columns under each other, for a terminal.
+std::string ToPlain(const TextTable& table);
 
 /// RFC 4180: quoted where it has to be.
 std::string CsvLine(const std::vector<std::string>& cells);

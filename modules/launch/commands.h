@@ -28,5 +28,6 @@ int ShowWorld(const std::string& file);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 int RunSweep(const SweepOptions& options);
+int CompareResults(const std::string& a, const std::string& b);
 
 }  // namespace citrine

@@ -129,6 +129,14 @@ int Main(int argc, char** argv) {
   SweepCommand sweep_command(*sweep);
   sweep->final_callback([&] { exit_code = RunSweep(sweep_command.options); });
 
+  CLI::App* compare = app.add_subcommand("compare", "What differs between two runs, or two sweeps");
+  std::string compare_a, compare_b;
+  compare->add_option("a", compare_a, "Result folder of a run, of a sweep, or of a part of one")
+      ->required()
+      ->type_name("A");
+  compare->add_option("b", compare_b, "The same of the other")->required()->type_name("B");
+  compare->final_callback([&] { exit_code = CompareResults(compare_a, compare_b); });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
