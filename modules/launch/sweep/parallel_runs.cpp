@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kParallel = "parallel";
 constexpr std::chrono::milliseconds kPoll{200};
+constexpr std::size_t kJobLogFields =
+    9;  // number, host, start, runtime, sent, received, exit code, signal, command
 
 std::string ReadText(const fs::path& path) {
   std::ifstream in(path);
@@ -54,7 +57,7 @@ std::vector<std::string> ArgumentsOf(const ParallelOptions& options, const fs::p
                                         options.jobs > 0 ? std::to_string(options.jobs) : "100%"};
   if (!options.hosts.empty())
     arguments.insert(arguments.end(),
-                     {"--sshlogin", options.hosts, "--workdir", ProjectFolder(), "--return", "./{1}"});
+                     {"--sshlogin", options.hosts, "--workdir", ProjectFolder(), "--return", "{1}"});
   arguments.emplace_back("sh -c {2}");
   return arguments;
 }
@@ -67,13 +70,13 @@ std::vector<EndedJob> ReadJobLog(const std::string& text) {
   std::string line;
   std::getline(lines, line);
   while (std::getline(lines, line)) {
-    std::istringstream fields(line);
-    std::string host, start_s, sent, received;
-    std::size_t sequence = 0;
-    int exit_code = 0, signal = 0;
-    double wall_s = 0;
-    if (!(fields >> sequence >> host >> start_s >> wall_s >> sent >> received >> exit_code >> signal))
-      continue;
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for (std::string field; std::getline(in, field, '\t');) fields.push_back(field);
+    if (fields.size() < kJobLogFields) continue;
+    const std::size_t sequence = std::strtoul(fields[0].c_str(), nullptr, 10);
+    const double wall_s = std::strtod(fields[3].c_str(), nullptr);
+    const int exit_code = std::atoi(fields[6].c_str()), signal = std::atoi(fields[7].c_str());
     if (sequence > 0) ended.push_back({sequence - 1, signal > 0 ? 128 + signal : exit_code, wall_s});
   }
   return ended;
