@@ -10,6 +10,8 @@ find_package(assimp REQUIRED)                      # sim/world
 find_package(nlohmann_json REQUIRED)               # logs, modules
 find_package(nanoflann REQUIRED)                   # logs
 find_package(Boost REQUIRED)                       # logs/statistics
+find_package(Protobuf REQUIRED)                   # modules/mcap_export
+find_package(ZLIB REQUIRED)                       # logs/mcap
 find_package(Threads REQUIRED)
 
 # citrine_find(<target> <header> <library>...): an imported target where a package ships no CMake file
@@ -25,7 +27,7 @@ function(citrine_find target header)
 endfunction()
 citrine_find(LCM::lcm lcm/lcm-cpp.hpp lcm)         # modules/runtime
 citrine_find(ODE::ode ode/ode.h ode)               # sim/dynamics
-citrine_find(Zstd::zstd zstd.h zstd)               # modules/codec
+citrine_find(Zstd::zstd zstd.h zstd)               # modules/codec, logs/mcap
 citrine_find(XXHash::xxhash xxhash.h xxhash)       # core/digest
 citrine_find(Toml::toml toml++/toml.h)             # core/config
 citrine_find(OpenCV::opencv opencv2/core.hpp opencv_core opencv_imgproc opencv_imgcodecs opencv_highgui opencv_videoio)  # viz

@@ -25,6 +25,8 @@ int RunMission(const RunOptions& options);
 int Doctor();
 int ShowKeys();
 int ShowWorld(const std::string& file);
+/// @param to "mcap"  @param out file to write; empty: beside the log
+int ExportLog(const std::string& log, const std::string& to, const std::string& out);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 int RunSweep(const SweepOptions& options);

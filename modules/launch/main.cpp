@@ -121,6 +121,16 @@ int Main(int argc, char** argv) {
   CLI::App* replay = app.add_subcommand("replay", "Play a recorded mission on the bus, or into one module");
   ReplayCommand replay_command(*replay);
   replay->final_callback([&] { exit_code = ReplayLog(replay_command.options); });
+  std::string exported, to, export_out;
+  CLI::App* export_command = app.add_subcommand("export", "Write a recorded mission for other programs");
+  export_command->add_option("log", exported, "A recording")->required()->type_name("LOG");
+  export_command->add_option("--to", to, "mcap: for Foxglove, Rerun and PlotJuggler")
+      ->required()
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"mcap"}));
+  export_command->add_option("--out", export_out, "The file to write; default: beside the log")
+      ->type_name("FILE");
+  export_command->final_callback([&] { exit_code = ExportLog(exported, to, export_out); });
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
   report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
   report->final_callback([&] { exit_code = Report(results); });

@@ -42,6 +42,7 @@ TEST(Layering, MeetsEachThirdPartyLibraryInOnePlace) {
       {"assimp", {"sim/world"}},
       {"boost", {"logs/statistics"}},
       {"embree3", {"sim/lidar", "logs/"}},
+      {"google", {"modules/mcap_export"}},
       {"lcm", {"modules/runtime"}},
       {"nlopt", {"planner/trajectory"}},
       {"octomap", {"core/map/occupancy_tree"}},
@@ -49,6 +50,8 @@ TEST(Layering, MeetsEachThirdPartyLibraryInOnePlace) {
       {"opencv2", {"viz/"}},
       {"sdf", {"sim/world"}},
       {"toml++", {"core/config"}},
+      {"zlib", {"logs/mcap"}},
+      {"zstd", {"modules/codec", "logs/mcap"}},
   };
   const std::regex include(R"(^#include [<"]([A-Za-z0-9_+]+)[/.].*)");
   for (const std::string& layer : kLayers)

@@ -35,7 +35,9 @@ class ReplayCommand : public ::testing::Test {
     return path;
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "citrine_command_replay";
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / (std::string("citrine_command_replay_") +
+                                        ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(ReplayCommand, NamesChannelTimeAndFieldOfTheFirstDifferenceAndExitsWithThree) {
@@ -81,6 +83,14 @@ TEST_F(ReplayCommand, PlaysOnABusWithoutAModule) {
   const CommandResult play =
       RunCommandLine("LCM_DEFAULT_URL=memq:// " CITRINE_BIN_DIR "/launch replay " + kGolden + " --speed 100");
   EXPECT_EQ(play.exit_code, 0) << play.output;
+}
+
+TEST_F(ReplayCommand, HasASisterThatExportsALog) {
+  const std::string file = folder_ / "mission.mcap";
+  const CommandResult exported = RunCitrine("export " + kGolden + " --to mcap --out " + file);
+  EXPECT_EQ(exported.exit_code, 0) << exported.output;
+  EXPECT_GT(fs::file_size(file), 100'000u);
+  EXPECT_EQ(RunCitrine("export " + kGolden + " --to bag").exit_code, 1);
 }
 
 TEST_F(ReplayCommand, RefusesWhatItCannotDo) {
