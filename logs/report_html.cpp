@@ -1,5 +1,6 @@
 #include "logs/report_html.h"
 
+#include "logs/decision_plots.h"
 #include "logs/html_text.h"
 #include "logs/page_style.h"
 #include "logs/report_plots.h"
@@ -36,8 +37,8 @@ std::string ReportHtml(const ReportPage& page) {
   html += Section("Numbers", "tables", NumberTables(page));
   html += Picture("From above", "the map from above at the end", page.topdown_png);
   html += Picture("Mesh", "the reconstructed surface", page.mesh_png);
-  html += Section("Flight", "figures", FlightPlots(page));
-  html += Section("Map", "figures", ProgressPlots(page.record));
+  html += Section("Flight", "figures", FlightPlots(page) + DecisionPlots(page));
+  html += Section("Map", "figures", CoveragePlot(page) + ProgressPlots(page.record));
   html += Section("System", "figures", SystemPlots(page.record));
   if (!page.command.empty()) html += "<h2>Fly it again</h2>\n<pre>" + Escape(page.command) + "</pre>\n";
   html += "<h2>Configuration</h2>\n<pre>" + Escape(page.config_toml) + "</pre>\n</body>\n</html>\n";

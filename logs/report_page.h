@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/vehicle/vehicle_limits.h"
+#include "logs/flight_measures.h"
 #include "logs/flight_record.h"
 #include "logs/metrics.h"
 #include "logs/reconstruction_score.h"
@@ -19,7 +20,9 @@ struct ReportPage {
   Metrics metrics;
   FlightRecord record;
   std::optional<ReconstructionScore> score;
-  bool balance = true;  ///< planner.balance
+  Series goal_coverage_pct,
+      object_goal_coverage_pct;  ///< over mission time; empty: not held against the truth
+  bool balance = true;           ///< planner.balance
   double d_star_m = 4.5;
   VehicleLimits limits;
   Eigen::AlignedBox3d volume_W;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include "logs/flight_measures.h"
 #include "logs/number_text.h"
@@ -70,17 +71,20 @@ std::string BusBytes(const FlightRecord& record) {
 }
 
 std::string ComputingTimes(const FlightRecord& record) {
-  std::vector<Bar> bars;
+  std::vector<Bar> bars, sums;
   for (const auto& [name, samples] : record.samples) {
     if (name.size() < 3 || name.substr(name.size() - 3) != "_ms") continue;
     const std::string what = name.substr(0, name.size() - 3);
+    const double sum_s = std::accumulate(samples.begin(), samples.end(), 0.0) / 1e3;
+    sums.push_back({what, sum_s, Fixed(sum_s, 1) + " s in " + std::to_string(samples.size())});
     for (const double percent : {50.0, 95.0}) {
       const double ms = Percentile(samples, percent).value_or(0);
       bars.push_back(
           {what + (percent < 60 ? " p50" : " p95"), ms, Fixed(ms, 2) + " ms", percent < 60 ? 0 : 1});
     }
   }
-  return bars.empty() ? "" : BarChart("Computing time, measured on this host", bars);
+  if (bars.empty()) return "";
+  return BarChart("Computing time, measured on this host", bars) + BarChart("The same in all", sums);
 }
 
 }  // namespace

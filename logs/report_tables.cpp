@@ -57,6 +57,7 @@ Rows Reconstruction(const ReportPage& page) {
     const ReconstructionScore& s = *page.score;
     rows.emplace_back("samples, true / reconstructed",
                       std::to_string(s.true_samples) + " / " + std::to_string(s.mesh_samples));
+    rows.emplace_back("cropping", "the truth to the mission volume");
     rows.emplace_back("points of the reconstruction", Fixed(s.options.neighbours_per_m2, 0) + " and " +
                                                           Fixed(s.options.samples_per_m2, 0) + " /m², seed " +
                                                           std::to_string(s.options.seed));

@@ -13,6 +13,17 @@ std::optional<double> Percent(std::size_t part, std::size_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// What has been counted up to the end of each second, in percent of the whole.
+logs::Series ShareOverTime(const std::vector<std::size_t>& in_second, std::size_t whole) {
+  logs::Series share;
+  std::size_t so_far = 0;
+  for (std::size_t second = 0; second < in_second.size() && whole > 0; ++second) {
+    so_far += in_second[second];
+    share.emplace_back(static_cast<double>(second + 1), *Percent(so_far, whole));
+  }
+  return share;
+}
+
 }  // namespace
 
 GroundTruth::GroundTruth(const MissionConfig& config, const std::vector<Eigen::Vector3d>& spawns_W,
@@ -47,19 +58,28 @@ std::optional<logs::ReconstructionScore> GroundTruth::Score(const TriMesh& recon
   return logs::ScoreReconstruction(reconstruction, truth, options);
 }
 
-GroundTruth::GoalCoverage GroundTruth::SeenFrom(const std::vector<Pose>& X_WS) const {
-  const std::vector<std::uint8_t> seen =
-      sim::SeenBy(surface_.samples, X_WS, scene_, config_.lidar.model, config_.quality_goals());
-  std::size_t all = 0, all_seen = 0, objects = 0, objects_seen = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
+GroundTruth::GoalCoverage GroundTruth::SeenFrom(std::vector<logs::Timed<Pose>> X_WS) const {
+  std::stable_sort(X_WS.begin(), X_WS.end(), [](const auto& a, const auto& b) { return a.utime < b.utime; });
+  std::vector<Pose> poses_W;
+  for (const auto& scan : X_WS) poses_W.push_back(scan.value);
+  const std::vector<int> first =
+      sim::FirstSeenBy(surface_.samples, poses_W, scene_, config_.lidar.model, config_.quality_goals());
+
+  const auto second_of = [](Utime utime) { return static_cast<std::size_t>(Seconds(utime)); };
+  const std::size_t seconds = X_WS.empty() ? 1 : second_of(X_WS.back().utime) + 1;
+  std::size_t all = 0, objects = 0;
+  std::vector<std::size_t> all_in(seconds, 0), objects_in(seconds, 0);
+  for (std::size_t i = 0; i < first.size(); ++i) {
     if (flags_.within_goal[i] == 0) continue;
     const bool object = !surface_.samples[i].ground;
     ++all;
-    all_seen += seen[i] != 0;
     objects += object;
-    objects_seen += object && seen[i] != 0;
+    if (first[i] < 0) continue;
+    const std::size_t second = second_of(X_WS[static_cast<std::size_t>(first[i])].utime);
+    ++all_in[second];
+    objects_in[second] += object;
   }
-  return {Percent(all_seen, all), Percent(objects_seen, objects)};
+  return {ShareOverTime(all_in, all), ShareOverTime(objects_in, objects)};
 }
 
 }  // namespace citrine

@@ -10,6 +10,7 @@
 
 #include "core/config/mission_config.h"
 #include "core/geometry/pose.h"
+#include "logs/flight_measures.h"
 #include "logs/reconstruction_score.h"
 #include "sim/lidar/observability.h"
 #include "sim/lidar/ray_scene.h"
@@ -40,12 +41,14 @@ class GroundTruth {
   /// [m] from a point to the true surface.
   double Clearance(const Eigen::Vector3d& p_W) const { return scene_.Distance(p_W); }
 
+  /// Of the true surface that a reachable pose sees from within d*, the share [%] that has been so seen from
+  /// the poses of scans; a step every second of the mission. Both are empty if no reachable pose sees any of
+  /// it.
   struct GoalCoverage {
-    std::optional<double> all_pct,
-        objects_pct;  ///< nothing if no reachable pose sees any of it from within d*
+    logs::Series all_pct;
+    logs::Series objects_pct;  ///< without the ground
   };
-  /// Of the true surface that a reachable pose sees from within d*, the share that was so seen from `X_WS`.
-  GoalCoverage SeenFrom(const std::vector<Pose>& X_WS) const;
+  GoalCoverage SeenFrom(std::vector<logs::Timed<Pose>> X_WS) const;
 
  private:
   MissionConfig config_;

@@ -60,10 +60,9 @@ std::vector<Eigen::Vector3d> StartsOf(const logs::FlightRecord& flight) {
   return starts_W;
 }
 
-std::vector<Pose> ScanPosesOf(const logs::FlightRecord& flight) {
-  std::vector<Pose> X_WS;
-  for (const logs::UavFlight& uav : flight.uavs)
-    for (const auto& scan : uav.scans) X_WS.push_back(scan.value);
+std::vector<logs::Timed<Pose>> ScanPosesOf(const logs::FlightRecord& flight) {
+  std::vector<logs::Timed<Pose>> X_WS;
+  for (const logs::UavFlight& uav : flight.uavs) X_WS.insert(X_WS.end(), uav.scans.begin(), uav.scans.end());
   return X_WS;
 }
 
@@ -80,9 +79,11 @@ void HoldAgainstTruth(const GroundTruth& truth, const TriMesh& mesh, logs::Repor
     m.surface_error_mean_m = page.score->surface_error_mean_m;
     m.surface_error_p95_m = page.score->surface_error_p95_m;
   }
-  const GroundTruth::GoalCoverage goal = truth.SeenFrom(ScanPosesOf(page.record));
-  m.goal_coverage_pct = goal.all_pct;
-  m.object_goal_coverage_pct = goal.objects_pct;
+  GroundTruth::GoalCoverage goal = truth.SeenFrom(ScanPosesOf(page.record));
+  if (!goal.all_pct.empty()) m.goal_coverage_pct = goal.all_pct.back().second;
+  if (!goal.objects_pct.empty()) m.object_goal_coverage_pct = goal.objects_pct.back().second;
+  page.goal_coverage_pct = std::move(goal.all_pct);
+  page.object_goal_coverage_pct = std::move(goal.objects_pct);
   m.min_obstacle_clearance_m =
       logs::MinClearance(page.record.uavs, [&](const Eigen::Vector3d& p_W) { return truth.Clearance(p_W); });
   page.notes.push_back(

@@ -141,12 +141,14 @@ class Viewer {
 
 Observability FindObservable(const std::vector<SurfaceSample>& samples, const ReachableLattice& lattice,
                              const RayScene& scene, const LidarModel& model, const QualityGoals& goals) {
-  Observability flags;
+  Observability flags{std::vector<std::uint8_t>(samples.size(), 0),
+                      std::vector<std::uint8_t>(samples.size(), 0)};
+  if (lattice.num_reachable() == 0) return flags;
   Viewer viewer(lattice, scene, model);
-  for (const SurfaceSample& sample : samples) {
-    const Viewer::Seen seen = viewer.Look(sample, goals.At(sample.p_W.cast<double>()).d_star_m);
-    flags.observable.push_back(seen.observable);
-    flags.within_goal.push_back(seen.within_goal);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Viewer::Seen seen = viewer.Look(samples[i], goals.At(samples[i].p_W.cast<double>()).d_star_m);
+    flags.observable[i] = seen.observable;
+    flags.within_goal[i] = seen.within_goal;
   }
   return flags;
 }

@@ -30,9 +30,10 @@ Observability FindObservableCached(const std::string& cache_folder, const std::v
                                    const ReachableLattice& lattice, const RayScene& scene,
                                    const LidarModel& model, const QualityGoals& goals);
 
-/// Which samples were seen from within d*: unoccluded from one of the sensor poses at which scans were taken,
-/// within range and within the field of view as the sensor was tilted then. 0 or 1 for each sample.
-std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
-                                 const RayScene& scene, const LidarModel& model, const QualityGoals& goals);
+/// Which of the sensor poses at which scans were taken was the first to see each sample from within d*:
+/// unoccluded, within range and within the field of view as the sensor was tilted then. Its index, or -1
+/// where none did.
+std::vector<int> FirstSeenBy(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
+                             const RayScene& scene, const LidarModel& model, const QualityGoals& goals);
 
 }  // namespace citrine::sim

@@ -51,25 +51,27 @@ class Unseen {
 
 }  // namespace
 
-std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
-                                 const RayScene& scene, const LidarModel& model, const QualityGoals& goals) {
+std::vector<int> FirstSeenBy(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
+                             const RayScene& scene, const LidarModel& model, const QualityGoals& goals) {
   const auto reach_m = static_cast<float>(std::min(goals.d_star_max(), model.range_max_m));
   const double sin_min = std::sin(model.elevation_min_rad), sin_max = std::sin(model.elevation_max_rad);
   std::vector<float> goal_m;
   for (const SurfaceSample& sample : samples)
     goal_m.push_back(
         static_cast<float>(std::min(goals.At(sample.p_W.cast<double>()).d_star_m, model.range_max_m)));
-  std::vector<std::uint8_t> seen(samples.size(), 0), free;
+  std::vector<int> first(samples.size(), -1);
+  std::vector<std::uint8_t> free;
   std::vector<Eigen::Vector3f> from_W, target_W;
   std::vector<int> candidates;
   Unseen unseen(samples);
-  for (const Pose& pose : X_WS) {
+  for (std::size_t scan = 0; scan < X_WS.size(); ++scan) {
+    const Pose& pose = X_WS[scan];
     const Eigen::Vector3f p_W = pose.p.cast<float>(),
                           up_W = (pose.q * Eigen::Vector3d::UnitZ()).cast<float>();
     candidates.clear();
     target_W.clear();
     unseen.ForCellsNear(p_W, reach_m, [&](std::vector<int>& cell) {
-      std::erase_if(cell, [&](int i) { return seen[i] != 0; });
+      std::erase_if(cell, [&](int i) { return first[i] >= 0; });
       for (const int i : cell) {
         const Eigen::Vector3f ray = samples[i].p_W - p_W;
         const float range_m = ray.norm(), z_S = ray.dot(up_W);
@@ -83,9 +85,10 @@ std::vector<std::uint8_t> SeenBy(const std::vector<SurfaceSample>& samples, cons
     from_W.assign(candidates.size(), p_W);
     free.resize(candidates.size());
     scene.Unoccluded(from_W, target_W, free);
-    for (std::size_t k = 0; k < candidates.size(); ++k) seen[candidates[k]] |= free[k];
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+      if (free[k] != 0) first[candidates[k]] = static_cast<int>(scan);
   }
-  return seen;
+  return first;
 }
 
 }  // namespace citrine::sim

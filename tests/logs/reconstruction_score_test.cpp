@@ -64,6 +64,25 @@ TEST(ReconstructionScore, OfAShiftedMeshEqualsBruteForce) {
   EXPECT_NEAR(score->f_score_pct, 2 / (1 / score->coverage_pct + 1 / score->precision_pct), 1e-9);
 }
 
+TEST(ReconstructionScore, OfAMeshShiftedByOneThresholdEqualsBruteForceAndGeometry) {
+  const TriMesh box = Box({0, 0, 0}, {3, 2, 2});
+  const double shift_m =
+      1.001 * kThreshold_m;  // a thousandth more, so that no face lies just at the threshold
+  const TriMesh shifted = Shifted(box, {static_cast<float>(shift_m), 0, 0});
+  const ScoreTruth truth = TruthOf(box, 100);
+  const auto score = ScoreReconstruction(shifted, truth, {kThreshold_m, 400, 100, 4});
+  EXPECT_NEAR(score->coverage_pct, BruteForcePct(truth.samples_W, SampleSurface(shifted, 400, 4)), 1e-9);
+  int near = 0;
+  const auto points_W = SampleSurface(shifted, 100, 5);
+  for (const auto& p_W : points_W) near += MeshDistance(box, p_W.cast<double>()) < kThreshold_m;
+  EXPECT_NEAR(score->precision_pct, 100.0 * near / static_cast<double>(points_W.size()), 1e-9);
+  // Of 32 m^2 too far: the face that leads (4 m^2), the face that follows where it is further than the
+  // threshold from the four sides, and a strip of the sides a thousandth of the threshold wide.
+  const double inner_m = 2 - 2 * kThreshold_m;
+  const double far_m2 = 4 + inner_m * inner_m + 8 * (shift_m - kThreshold_m);
+  EXPECT_NEAR(score->precision_pct, 100 * (1 - far_m2 / 32), 0.5);  // 3200 samples, stratified
+}
+
 TEST(ReconstructionScore, CoversHalfOfTwoEqualSpheresWhenOneIsMissing) {
   const TriMesh one = Sphere(1, 24);
   TriMesh both = one;

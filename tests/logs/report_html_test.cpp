@@ -47,6 +47,16 @@ ReportPage Page() {
     progress.voxels_at_goal = 80 * k;
     page.record.progress.push_back({k * 500'000, progress});
   }
+  for (int k = 0; k < 5; ++k) {
+    FleetAssignment assignment;
+    assignment.plan_id = k * 20'000'000 * 16 + 1;
+    page.record.assignments.push_back(assignment);
+    FleetStatus status;
+    status.decisions = k;
+    page.record.uavs[0].statuses.push_back({k * 10'000'000, status});
+  }
+  page.goal_coverage_pct = {{1, 10}, {2, 50}};
+  page.object_goal_coverage_pct = {{1, 5}, {2, 40}};
   page.record.end = 120'000'000;
   page.record.bytes_by_channel = {
       {"UAV1_STATE", 500'000}, {"UAV2_STATE", 500'000}, {"MAP_BLOCKS", 9'000'000}};
@@ -97,6 +107,15 @@ TEST(ReportHtml, SaysTheVerdictTheNumbersAndHowToFlyItAgain) {
   EXPECT_THAT(html, HasSubstr("--set planner.gamma=2"));
   EXPECT_THAT(html, HasSubstr("a &lt;b&gt; &amp; &#39;c&#39;"));
   EXPECT_THAT(html, HasSubstr("UAV*_STATE"));
+}
+
+TEST(ReportHtml, DrawsWhatChangedOverTheMission) {
+  const std::string html = ReportHtml(Page());
+  for (const char* title : {"True surface seen from within d*", "Active elements", "Paths from above",
+                            "Goals chosen", "Imbalance corrections", "Said on the bus", "Computing time"})
+    EXPECT_THAT(html, HasSubstr(std::string("<figcaption>") + title));
+  // Corrections at 0, 20, 40, 60 and 80 of 120 s rise by one each: of an axis of 5 over 188 pixels.
+  EXPECT_THAT(html, HasSubstr("54.0,162.4 106.5,162.4 106.5,124.8 "));
 }
 
 TEST(ReportHtml, NamesWhatWentWrong) {

@@ -11,7 +11,8 @@ using ::testing::HasSubstr;
 TEST(CommandLine, HelpIsNotAMistake) {
   const CommandResult help = RunCitrine("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"run", "doctor", "config", "world", "replay", "export", "report"})
+  for (const char* command :
+       {"run", "doctor", "config", "world", "replay", "export", "report", "sweep", "compare"})
     EXPECT_THAT(help.output, HasSubstr(command));
 }
 

@@ -13,7 +13,14 @@ class SeenByScans : public testing::Test {
   }
   std::vector<std::uint8_t> Seen(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
                                  double d_star_m = 4.5) const {
-    return SeenBy(samples, X_WS, scene_, LidarModel(), QualityGoals(QualityGoal::FromDistance(d_star_m)));
+    std::vector<std::uint8_t> seen;
+    for (const int first : First(samples, X_WS, d_star_m)) seen.push_back(first >= 0);
+    return seen;
+  }
+  std::vector<int> First(const std::vector<SurfaceSample>& samples, const std::vector<Pose>& X_WS,
+                         double d_star_m = 4.5) const {
+    return FirstSeenBy(samples, X_WS, scene_, LidarModel(),
+                       QualityGoals(QualityGoal::FromDistance(d_star_m)));
   }
   RayScene scene_{BoxWorld({{"ground", Box(-20, -20, -1, 20, 20, 0)}, {"wall", Box(1, -3, 0, 1.5, 3, 2)}})};
 };
@@ -40,6 +47,13 @@ TEST_F(SeenByScans, GathersAllScans) {
                  {{{0, 0, 1}, Eigen::Quaterniond::Identity()}, {{6, 0, 1}, Eigen::Quaterniond::Identity()}}),
             (std::vector<std::uint8_t>{1, 1, 1}));
   EXPECT_EQ(Seen(samples, {}), (std::vector<std::uint8_t>{0, 0, 0}));
+}
+
+TEST_F(SeenByScans, TellsTheFirstScanThatSawEach) {
+  const Pose left{{0, 0, 1}, Eigen::Quaterniond::Identity()},
+      right{{6, 0, 1}, Eigen::Quaterniond::Identity()};
+  const std::vector<SurfaceSample> samples{At(-2, 0, 0), At(8, 0, 0), At(15, 0, 0)};
+  EXPECT_EQ(First(samples, {left, left, right, right}), (std::vector<int>{0, 2, -1}));
 }
 
 TEST_F(SeenByScans, GoesNoFurtherThanTheSensorWhateverTheGoal) {

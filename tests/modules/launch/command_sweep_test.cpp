@@ -1,0 +1,60 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/modules/launch/sweep/sweep_file.h"
+#include "tests/support/citrine_command.h"
+
+namespace citrine {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(CommandSweep, FliesWhatIsOpenOnceAndComparesWhatItFlew) {
+  const SweepFile file;
+  const std::string out = file.folder() + "/out", sweep = "sweep " + file.Write() + " --seeds 3 --out " + out;
+  const std::string shorter = " --set mission.time_limit_s=4";
+  const CommandResult first = RunCitrine(sweep + shorter);
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_THAT(first.output, HasSubstr("2 missions, 0 of them finished"));
+  EXPECT_THAT(first.output, HasSubstr("citrine: 2/2 smoke "));
+  EXPECT_THAT(first.output, HasSubstr("| Method | Completed |"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/smoke/ours/3/report.html"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/smoke/ours/3/mission.lcmlog"));
+
+  const CommandResult second = RunCitrine(sweep + shorter);
+  EXPECT_EQ(second.exit_code, 0);
+  EXPECT_THAT(second.output, HasSubstr("2 missions, 2 of them finished"));
+  EXPECT_THAT(second.output, Not(HasSubstr("citrine: 2/2 smoke ")));
+
+  std::filesystem::remove(out + "/smoke/frontier/3/metrics.json");
+  EXPECT_THAT(RunCitrine(sweep + shorter).output, HasSubstr("citrine: 2/2 smoke frontier seed 3"));
+
+  const CommandResult compared = RunCitrine("compare " + out + "/smoke/ours " + out + "/smoke/frontier");
+  EXPECT_EQ(compared.exit_code, 0);
+  EXPECT_THAT(compared.output, HasSubstr("planner.strategy  'quality_adaptive'  'nearest_frontier'"));
+  EXPECT_THAT(compared.output, HasSubstr("says nothing about significance"));
+}
+
+TEST(CommandSweep, ShowsTheCommandsThatItWouldRun) {
+  const SweepFile file;
+  const CommandResult list = RunCitrine("sweep " + file.Write() + " --list --out " + file.folder() + "/out");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_EQ(std::count(list.output.begin(), list.output.end(), '\n'), 4);
+  EXPECT_THAT(list.output, HasSubstr("./citrine run smoke --in-process --seed 2 "));
+  EXPECT_FALSE(std::filesystem::exists(file.folder() + "/out"));
+}
+
+TEST(CommandSweep, WrongUseExitsWithOneAndWhatCannotBeFlownWithTwo) {
+  EXPECT_EQ(RunCitrine("sweep").exit_code, 1);
+  EXPECT_EQ(RunCitrine("sweep smoke --jobs 0").exit_code, 1);
+  EXPECT_EQ(RunCitrine("compare here").exit_code, 1);
+  EXPECT_EQ(RunCitrine("sweep nowhere").exit_code, 2);
+  EXPECT_EQ(RunCitrine("sweep smoke --list --seeds x").exit_code, 2);
+  EXPECT_EQ(RunCitrine("compare nowhere neither").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace citrine
