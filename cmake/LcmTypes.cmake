@@ -1,6 +1,4 @@
-# add_lcm_types(<target> PACKAGE <pkg> <file.lcm>...): C++ headers from LCM types, as an INTERFACE target, and <pkg>/fields.hpp,
-# which names the fields of each.
-set(LCM_FIELDS ${CMAKE_CURRENT_LIST_DIR}/LcmFields.cmake)
+# add_lcm_types(<target> PACKAGE <pkg> <file.lcm>...): C++ headers from LCM types, as an INTERFACE target.
 find_program(LCM_GEN lcm-gen REQUIRED)
 function(add_lcm_types target)
   cmake_parse_arguments(arg "" "PACKAGE" "" ${ARGN})
@@ -13,14 +11,38 @@ function(add_lcm_types target)
       DEPENDS ${src} VERBATIM)
     list(APPEND headers ${hpp})
   endforeach()
-  set(fields ${out}/${arg_PACKAGE}/fields.hpp)
-  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
-  add_custom_command(OUTPUT ${fields}
-    COMMAND ${CMAKE_COMMAND} -D OUT=${fields} -D PACKAGE=${arg_PACKAGE} -P ${LCM_FIELDS} -- ${sources}
-    DEPENDS ${arg_UNPARSED_ARGUMENTS} ${LCM_FIELDS} VERBATIM)
-  add_custom_target(${target}_gen DEPENDS ${headers} ${fields})
+  add_custom_target(${target}_gen DEPENDS ${headers})
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_gen)
   target_include_directories(${target} SYSTEM INTERFACE ${out})
   target_link_libraries(${target} INTERFACE LCM::lcm)
+  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
+  set_target_properties(${target} PROPERTIES LCM_PACKAGE ${arg_PACKAGE} LCM_FILES "${files}")
+endfunction()
+
+# lcm_type_sources(<out.cpp> <target>): the body of TypeSources() (modules/reflection/type_sources.h): every type's fingerprint
+# and .lcm file, so that tools can show messages of any type.
+function(lcm_type_sources out target)
+  get_target_property(package ${target} LCM_PACKAGE)
+  get_target_property(files ${target} LCM_FILES)
+  foreach(file ${files})
+    get_filename_component(name ${file} NAME_WE)
+    file(READ ${file} text)
+    string(APPEND includes "#include <${package}/${name}.hpp>\n")
+    string(APPEND rows "      {${package}::${name}::getHash(), R\"lcm(${text})lcm\"},\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endforeach()
+  file(CONFIGURE OUTPUT ${out} CONTENT "// Made of lcmtypes/ by the build.
+#include \"modules/reflection/type_sources.h\"
+
+${includes}
+namespace citrine {
+
+std::vector<TypeSource> TypeSources() {
+  return {
+${rows}  };
+}
+
+}  // namespace citrine
+" @ONLY)
 endfunction()

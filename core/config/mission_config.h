@@ -97,6 +97,7 @@ struct MapSection {
   double publish_hz = 2;
   double rotation_s = 10;
   double octree_hz = 0.5;
+  std::string start;
 
   template <class V>
   void Visit(V& v) {
@@ -112,6 +113,8 @@ struct MapSection {
     v("publish_hz", publish_hz, Key{"how often changed blocks are said", "Hz", 0.1, 50});
     v("rotation_s", rotation_s, Key{"time in which the rest of the map is said once", "s", 1, 600});
     v("octree_hz", octree_hz, Key{"how often the octree is said; 0: never", "Hz", 0, 10});
+    v("start", start,
+      Key{"map.tsdf of an earlier mission over the same grid, to go on from; default: nothing is known"});
   }
 };
 
@@ -234,6 +237,8 @@ struct LaunchSection {
   bool view = false;
   bool video = false;
   std::string on_death = "end";
+  double log_split_mb = 0;
+  int log_keep = 0;
 
   template <class V>
   void Visit(V& v) {
@@ -244,6 +249,10 @@ struct LaunchSection {
     v("view", view, Key{"show the top-down picture in a window"});
     v("video", video, Key{"write topdown.mp4"});
     v("on_death", on_death, Key{"what follows the death of a module", "", 0, 0, {"end"}});
+    v("log_split_mb", log_split_mb,
+      Key{"the log goes on in a new part, mission.lcmlog.000, .001 ..., after so much; 0: one file", "MB", 0,
+          1e6});
+    v("log_keep", log_keep, Key{"parts of the log that are kept, the newest; 0: all", "", 0, 10000});
   }
 };
 

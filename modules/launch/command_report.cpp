@@ -26,8 +26,7 @@ void TakeOver(const fs::path& metrics_file, ReportInputs& inputs) {
 }  // namespace
 
 int Report(const std::string& folder_or_log) {
-  const fs::path log =
-      fs::is_directory(folder_or_log) ? fs::path(folder_or_log) / "mission.lcmlog" : fs::path(folder_or_log);
+  const fs::path log = FindLog(folder_or_log);
   const fs::path folder = fs::absolute(log).parent_path();
   ReportInputs inputs = InputsFromLog(log);
   TakeOver(folder / "metrics.json", inputs);

@@ -10,6 +10,7 @@
 #include "modules/launch/network_choice.h"
 #include "modules/launch/result_folder.h"
 #include "modules/launch/results_table.h"
+#include "modules/launch/running_mission.h"
 #include "modules/mission_report/mission_report.h"
 
 namespace citrine {
@@ -58,10 +59,13 @@ int RunMission(const RunOptions& asked) {
     if (!bus) options.overrides.emplace_back("launch.in_process=true");
   }
   const ResolvedMission mission = ResolveMission(options);
+  fs::create_directories(mission.config.launch.out);
+  std::optional<RunningMission> running(std::in_place, mission.config.launch.out, bus.value_or("memq://"));
   const std::string file = PrepareResultFolder(mission);
   std::fprintf(stderr, "citrine: %s, %d UAVs; results in %s\n", mission.flown.mission_id.c_str(),
                mission.config.mission.uavs, mission.config.launch.out.c_str());
   const Flight flight = bus ? FlyInProcesses(mission, file, *bus) : FlyInProcess(mission);
+  running.reset();
   std::fprintf(stderr, "citrine: %s; writing the report\n", flight.stop_reason.c_str());
   const logs::Metrics metrics = ReportOn(mission, flight);
   std::fputs(ResultsTable(metrics, mission.config.launch.out).c_str(), stdout);

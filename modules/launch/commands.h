@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "modules/launch/message_source.h"
 #include "modules/launch/replay_options.h"
 #include "modules/launch/run_options.h"
 #include "modules/launch/sweep/sweep_options.h"
@@ -18,6 +20,20 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
+struct EchoOptions {
+  SourceOptions source;
+  std::string channel;  ///< a channel, or a regular expression that matches the whole of several
+  int count = 0;        ///< messages after which it ends; 0: all
+  bool json = false;    ///< one line of JSON a message
+};
+
+/// What `log cut` keeps.
+struct CutOptions {
+  std::string log, to;
+  std::optional<double> from_s, to_s;  ///< mission time, both included
+  std::string channels;                ///< regular expression that matches the whole of a channel; empty: all
+};
+
 // One function a command, in a file of its own. @return the exit code. @throws whatever makes it a set-up
 // problem
 
@@ -31,5 +47,11 @@ int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 int RunSweep(const SweepOptions& options);
 int CompareResults(const std::string& a, const std::string& b);
+/// @param seconds to listen before it prints once; 0: redrawn until Ctrl-C on a terminal
+int Top(const SourceOptions& source, double seconds);
+int EchoChannel(const EchoOptions& options);
+int LogInfo(const std::string& log);
+int LogCheck(const std::string& log);
+int LogCut(const CutOptions& options);
 
 }  // namespace citrine

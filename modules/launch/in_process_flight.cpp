@@ -7,6 +7,7 @@
 #include "modules/launch/mission_view.h"
 #include "modules/launch/module_list.h"
 #include "modules/launch/progress_line.h"
+#include "modules/launch/result_folder.h"
 #include "modules/runtime/in_process.h"
 #include "modules/runtime/log_writer.h"
 #include "modules/runtime/stopwatch.h"
@@ -14,7 +15,8 @@
 namespace citrine {
 
 Flight FlyInProcess(const ResolvedMission& mission) {
-  LogWriter log(std::filesystem::path(mission.config.launch.out) / "mission.lcmlog");
+  LogWriter log(std::filesystem::path(mission.config.launch.out) / "mission.lcmlog",
+                SplitOf(mission.config.launch));
   ProgressLine progress(stderr);
   MissionView view;
   view.mission_id = mission.flown.mission_id;

@@ -8,6 +8,7 @@
 #include "core/config/number_text.h"
 #include "modules/launch/commands.h"
 #include "modules/launch/sweep/sweep_command_line.h"
+#include "modules/launch/watch_commands.h"
 
 namespace citrine {
 namespace {
@@ -134,6 +135,7 @@ int Main(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
   report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
   report->final_callback([&] { exit_code = Report(results); });
+  AddWatchCommands(app, exit_code);
 
   CLI::App* sweep = app.add_subcommand("sweep", "Fly many missions and write tables and figures");
   SweepCommand sweep_command(*sweep);

@@ -11,6 +11,7 @@
 #include "modules/launch/mission_view.h"
 #include "modules/launch/process_list.h"
 #include "modules/launch/progress_line.h"
+#include "modules/launch/result_folder.h"
 #include "modules/launch/supervisor.h"
 #include "modules/runtime/log_reader.h"
 #include "modules/runtime/stopwatch.h"
@@ -147,10 +148,11 @@ Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission
   const std::filesystem::path logs = out / "logs", recorded = out / "recorded.lcmlog";
   std::filesystem::create_directories(logs);
   const Stopwatch stopwatch;
+  const LogSplit split = SplitOf(mission.config.launch);
   Flight flight;
   {
     ProcessFlight processes(mission, logs, url);
-    processes.StartRecorder(RecorderProcess(url, recorded));
+    processes.StartRecorder(RecorderProcess(url, recorded, split));
     processes.Start(ModuleProcesses(mission.config, mission_file, url));
     processes.Watch();
     flight.wall_time_s = stopwatch.ms() / 1e3;
@@ -158,8 +160,8 @@ Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission
     flight.stop_reason = processes.StopReason();
     flight.death = processes.death();
   }
-  PutInOrder(recorded, out / "mission.lcmlog");
-  std::filesystem::remove(recorded);
+  PutInOrder(recorded, out / "mission.lcmlog", nullptr, split);
+  for (const std::string& file : LogFiles(recorded)) std::filesystem::remove(file);
   return flight;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/config/number_text.h"
 #include "modules/runtime/module_id.h"
 
 namespace citrine {
@@ -15,8 +16,11 @@ std::string Program(const std::string& name) {
 
 }  // namespace
 
-ProcessSpec RecorderProcess(const std::string& url, const std::string& log) {
-  return {kRecorder, {Program(kRecorder), "--lcm-url", url, log}};
+ProcessSpec RecorderProcess(const std::string& url, const std::string& log, const LogSplit& split) {
+  return {
+      kRecorder,
+      {Program(kRecorder), "--lcm-url", url, "--split-mb",
+       NumberText(static_cast<double>(split.part_bytes) / 1e6), "--keep", std::to_string(split.keep), log}};
 }
 
 std::vector<ProcessSpec> ModuleProcesses(const MissionConfig& config, const std::string& mission_file,

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "modules/launch/mission_resolver.h"
+#include "modules/runtime/log_parts.h"
 
 namespace citrine {
 
@@ -10,5 +11,8 @@ namespace citrine {
 /// mission.toml. Files of other names stay. @return the mission file's path
 /// @throws std::filesystem::filesystem_error, std::runtime_error if it cannot be written
 std::string PrepareResultFolder(const ResolvedMission& mission);
+
+/// How the mission's log is split.
+LogSplit SplitOf(const LaunchSection& launch);
 
 }  // namespace citrine

@@ -8,6 +8,7 @@
 #include "modules/channels.h"
 #include "modules/runtime/log_format.h"
 #include "modules/runtime/log_writer.h"
+#include "modules/runtime/transport.h"
 
 namespace citrine {
 namespace {
@@ -17,10 +18,6 @@ Integer Parse(const std::array<unsigned char, log_format::kHeaderBytes>& header,
   Integer value = 0;
   for (std::size_t i = at; i < at + sizeof value; ++i) value = static_cast<Integer>(value << 8 | header[i]);
   return value;
-}
-
-bool IsOfTheBus(const LogEvent& event) {
-  return event.channel == "LCM_SELF_TEST" || event.channel == "BUS_PROBE";
 }
 
 bool HasManySenders(const std::string& channel) {
@@ -39,21 +36,37 @@ std::int64_t CountMissing(const std::vector<LogEvent>& events) {
 
 }  // namespace
 
-LogReader::LogReader(const std::string& path) : file_(path, std::ios::binary | std::ios::ate) {
-  if (!file_) throw std::runtime_error("cannot read the log '" + path + "'");
+LogReader::LogReader(const std::string& path) : files_(LogFiles(path)) {
+  if (files_.empty()) throw std::runtime_error("cannot read the log '" + path + "'");
+  Open(0);
+}
+
+void LogReader::Open(std::size_t file) {
+  reading_ = file;
+  file_ = std::ifstream(files_[file], std::ios::binary | std::ios::ate);
+  if (!file_) throw std::runtime_error("cannot read the log '" + files_[file] + "'");
   size_ = file_.tellg();
+  at_ = 0;
 }
 
 std::optional<LogEvent> LogReader::Next() {
+  for (;;) {
+    if (auto event = NextOfFile()) return event;
+    if (reading_ + 1 == files_.size()) return std::nullopt;
+    Open(reading_ + 1);
+  }
+}
+
+std::optional<LogEvent> LogReader::NextOfFile() {
   const std::streamoff start = at_;
   do {
     if (auto event = ReadAt(at_)) {
-      if (at_ != start) ++damaged_;
+      if (at_ != start) damages_.push_back({files_[reading_], start, at_ - start});
       at_ = file_.tellg();
       return event;
     }
   } while (SkipToSync());
-  if (start != size_) ++damaged_;
+  if (start != size_) damages_.push_back({files_[reading_], start, size_ - start});
   at_ = size_;
   return std::nullopt;
 }
@@ -94,7 +107,7 @@ std::vector<LogEvent> ReadInOrder(const std::string& path, RecordingFlaws* flaws
   LogReader reader(path);
   std::vector<LogEvent> events;
   while (auto event = reader.Next())
-    if (!IsOfTheBus(*event)) events.push_back(std::move(*event));
+    if (!IsOfTheBus(event->channel)) events.push_back(std::move(*event));
   std::sort(events.begin(), events.end());
   const auto repeated = std::unique(events.begin(), events.end());
   const std::int64_t num_repeated = events.end() - repeated;
@@ -103,9 +116,10 @@ std::vector<LogEvent> ReadInOrder(const std::string& path, RecordingFlaws* flaws
   return events;
 }
 
-std::int64_t PutInOrder(const std::string& recording, const std::string& log, RecordingFlaws* flaws) {
+std::int64_t PutInOrder(const std::string& recording, const std::string& log, RecordingFlaws* flaws,
+                        const LogSplit& split) {
   const std::vector<LogEvent> events = ReadInOrder(recording, flaws);
-  LogWriter writer(log);
+  LogWriter writer(log, split);
   for (const LogEvent& event : events) writer.Write(event);
   writer.Flush();
   return writer.num_events();

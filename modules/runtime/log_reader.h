@@ -7,29 +7,42 @@
 #include <vector>
 
 #include "modules/runtime/log_event.h"
+#include "modules/runtime/log_parts.h"
 
 namespace citrine {
 
-/// Reads an LCM log event by event, past damaged places.
+/// Reads an LCM log, one file or its parts (LogFiles), event by event, past damaged places.
 class LogReader {
  public:
-  /// @throws std::runtime_error if the file cannot be read
+  /// A place at which something was skipped to reach the next event, or a file ended within one.
+  struct Damage {
+    std::string file;
+    std::int64_t at = 0;     ///< byte
+    std::int64_t bytes = 0;  ///< skipped
+  };
+
+  /// @throws std::runtime_error if there is no such log, or it cannot be read
   explicit LogReader(const std::string& path);
 
   /// @return nullopt at the end
   std::optional<LogEvent> Next();
 
-  /// Places at which something was skipped to reach the next event, or the log ended within one.
-  std::int64_t damaged() const { return damaged_; }
+  /// Places found so far.
+  std::int64_t damaged() const { return static_cast<std::int64_t>(damages_.size()); }
+  const std::vector<Damage>& damages() const { return damages_; }
 
  private:
+  void Open(std::size_t file);
+  std::optional<LogEvent> NextOfFile();
   std::optional<LogEvent> ReadAt(std::streamoff at);
   /// Moves on to the next sync word behind `at_`. @return false if there is none
   bool SkipToSync();
 
+  std::vector<std::string> files_;
+  std::size_t reading_ = 0;  ///< which of them
   std::ifstream file_;
   std::streamoff size_ = 0, at_ = 0;
-  std::int64_t damaged_ = 0;
+  std::vector<Damage> damages_;
 };
 
 /// What a recording held besides the mission.
@@ -44,8 +57,8 @@ struct RecordingFlaws {
 /// process would have written.
 std::vector<LogEvent> ReadInOrder(const std::string& path, RecordingFlaws* flaws = nullptr);
 
-/// As above, from file to file. @return how many events were written
-std::int64_t PutInOrder(const std::string& recording, const std::string& log,
-                        RecordingFlaws* flaws = nullptr);
+/// As above, from file to file, or from parts to parts. @return how many events were written
+std::int64_t PutInOrder(const std::string& recording, const std::string& log, RecordingFlaws* flaws = nullptr,
+                        const LogSplit& split = {});
 
 }  // namespace citrine

@@ -20,15 +20,15 @@ int Fail(int code, const char* what) {
   return code;
 }
 
-int Record(const std::string& url, const std::string& path) {
+int Record(const std::string& url, const std::string& path, const LogSplit& split) {
   std::optional<LogWriter> log;
   std::optional<Transport> transport;
   std::unique_ptr<Transport::Subscription> everything;
   try {
-    log.emplace(path);
+    log.emplace(path, split);
     transport.emplace(url);
     everything = transport->Subscribe(".*", 0, [&](const std::string& channel, const void* bytes, int size) {
-      if (channel == "LCM_SELF_TEST" || channel == "BUS_PROBE") return;
+      if (IsOfTheBus(channel)) return;
       const auto* first = static_cast<const std::uint8_t*>(bytes);
       log->Write({0, channel, {first, first + size}});
     });
@@ -52,8 +52,15 @@ int Record(const std::string& url, const std::string& path) {
 int RunRecorder(int argc, char** argv) {
   CatchQuitSignals();
   std::string url = DefaultBusUrl(), path;
+  LogSplit split;
+  double split_mb = 0;
   CLI::App app{"Records all that is said on a bus.", "recorder"};
   app.add_option("-l,--lcm-url", url, "LCM provider")->capture_default_str();
+  app.add_option("--split-mb", split_mb,
+                 "Go on in a new part, LOG.000, LOG.001 ..., after so much; 0: one file")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--keep", split.keep, "Parts that are kept, the newest; 0: all")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("log", path, "The log to write")->required();
   try {
     app.parse(argc, argv);
@@ -62,7 +69,8 @@ int RunRecorder(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return Fail(1, error.what());
   }
-  return Record(url, path);
+  split.part_bytes = static_cast<std::int64_t>(split_mb * 1e6);
+  return Record(url, path, split);
 }
 
 }  // namespace citrine

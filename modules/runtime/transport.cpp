@@ -19,6 +19,8 @@ constexpr const char* kProbeChannel = "BUS_PROBE";
 
 }  // namespace
 
+bool IsOfTheBus(const std::string& channel) { return channel == "LCM_SELF_TEST" || channel == kProbeChannel; }
+
 std::string DefaultBusUrl() {
   if (const char* url = std::getenv("LCM_DEFAULT_URL"); url && *url) return url;
   long granted = kReceiveBuffer_bytes;

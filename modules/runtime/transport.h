@@ -15,6 +15,9 @@ namespace citrine {
 /// grants, up to 2 MiB.
 std::string DefaultBusUrl();
 
+/// Whether a channel is one on which a bus tests itself, by LCM's hand or CheckHearsItself().
+bool IsOfTheBus(const std::string& channel);
+
 /// Bytes on channels: one LCM connection, which the buses of one process may share. Single-threaded.
 class Transport {
  public:

@@ -100,6 +100,30 @@ TEST_F(MissionProcesses, ReportEvenWhenTheMapDied) {
   EXPECT_EQ(Metrics(out_ / "run")["stop_reason"], "module_died");
 }
 
+TEST_F(MissionProcesses, AreWatchedFromOutsideTheirPrivateNetwork) {
+  const std::string launch = std::string(CITRINE_BIN_DIR) + "/launch ",
+                    run = " --run " + (out_ / "run").string();
+  const CommandResult watch =
+      RunAndThen("--isolate", launch + "top --seconds 2" + run + "; " + launch + "echo UAV2_STATE --count 1" +
+                                  run + "; " + launch + "echo CLOCK" + run +
+                                  " >/dev/null & sleep 1; kill -INT $launch; wait $!; "
+                                  "echo echo ended with $?");
+  EXPECT_THAT(watch.output, ContainsRegex("CLOCK +clock_t +[45][0-9]\\.[0-9] "));
+  EXPECT_THAT(watch.output, HasSubstr("UAV2_STATE  uav_state_t  t 00:"));
+  EXPECT_THAT(watch.output, HasSubstr("echo ended with 0"));
+  EXPECT_THAT(RunCommandLine(launch + "top" + run).output,
+              HasSubstr("no mission flies into this folder now"));
+}
+
+TEST_F(MissionProcesses, AreRecordedInPartsWhenTheyFlyForLong) {
+  const CommandResult split =
+      RunCommandLine(Run("--isolate --pace max --set launch.log_split_mb=2 --set mission.time_limit_s=20"));
+  EXPECT_TRUE(fs::exists(out_ / "run/mission.lcmlog.001")) << split.output;
+  EXPECT_FALSE(fs::exists(out_ / "run/mission.lcmlog"));
+  const CommandResult whole = RunCommandLine(Run("--in-process --set mission.time_limit_s=20", "whole"));
+  EXPECT_EQ(Metrics(out_ / "run")["log_digest"], Metrics(out_ / "whole")["log_digest"]) << whole.output;
+}
+
 TEST_F(MissionProcesses, LeaveNobodyBehindWhenTheLauncherIsKilled) {
   const CommandResult run = RunAndThen("--isolate", "kill -KILL $launch");
   EXPECT_EQ(run.exit_code, 128 + SIGKILL);

@@ -89,6 +89,54 @@ TEST_F(LogTest, SaysNothingOfAnEmptyLogAndThrowsForNone) {
   EXPECT_THROW(LogWriter(folder_ + "/no/such/folder"), std::runtime_error);
 }
 
+TEST_F(LogTest, GoesOnInPartsThatEachSayWhatIsFlown) {
+  citrine_lcm::mission_config_t flown{};
+  flown.mission_id = "m";
+  const LogEvent config{0, "MISSION_CONFIG", Bus::ToBytes(flown)};
+  std::vector<LogEvent> written = {config};
+  {
+    LogWriter writer(folder_ + "/log", {1000, 0});
+    writer.Write(config);
+    for (int i = 1; i <= 40; ++i) {
+      written.push_back(Event("A", 20 * i, i));
+      writer.Write(written.back());
+    }
+    writer.Flush();
+    EXPECT_EQ(writer.num_events(), 41);
+  }
+  const auto parts = LogFiles(folder_ + "/log");
+  ASSERT_GT(parts.size(), 3u);
+  EXPECT_EQ(parts.front(), folder_ + "/log.000");
+  for (const std::string& part : parts) EXPECT_EQ(LogReader(part).Next()->channel, "MISSION_CONFIG") << part;
+  EXPECT_EQ(ReadInOrder(folder_ + "/log"), written);
+}
+
+TEST_F(LogTest, KeepsTheNewestPartsAlone) {
+  {
+    LogWriter writer(folder_ + "/log", {500, 2});
+    for (int i = 1; i <= 40; ++i) writer.Write(Event("A", 20 * i, i));
+  }
+  const auto parts = LogFiles(folder_ + "/log");
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_GT(parts.front(), folder_ + "/log.003");
+  EXPECT_EQ(ReadInOrder(folder_ + "/log").back().seq(), 40);
+}
+
+TEST_F(LogTest, SaysWhereThePartsAreDamaged) {
+  {
+    LogWriter writer(folder_ + "/log", {300, 0});
+    for (int i = 1; i <= 6; ++i) writer.Write(Event("A", 20 * i, i));
+  }
+  const std::string second = LogFiles(folder_ + "/log").at(1);
+  std::filesystem::resize_file(second, std::filesystem::file_size(second) - 3);
+  LogReader reader(folder_ + "/log");
+  int events = 0;
+  while (reader.Next()) ++events;
+  EXPECT_EQ(events, 5);
+  ASSERT_EQ(reader.damaged(), 1);
+  EXPECT_EQ(reader.damages()[0].file, second);
+}
+
 TEST_F(LogTest, PutsARecordingInOrderWithoutRepetitionsAndProbes) {
   std::vector<LogEvent> recorded = events_;
   std::reverse(recorded.begin(), recorded.end());
