@@ -42,7 +42,9 @@ img { max-width: 100%; max-height: 820px; display: block; border-radius: 6px; }
 table { border-collapse: collapse; width: 100%; } th, td { padding: 3px 8px; border-bottom: 1px solid var(--rule); }
 th { font-weight: 400; text-align: left; color: var(--soft); } td { text-align: right; font-variant-numeric: tabular-nums; }
 .numbers td { width: 45%; } .paper tr:first-of-type th:not(:first-child) { text-align: right; }
-.paper { background: var(--card); margin-bottom: 18px; } .ours th, .ours td { font-weight: 600; color: var(--ink); }
+.sweep { background: var(--card); margin-bottom: 18px; font-size: 13px; } .sweep th, .sweep td { padding: 3px 5px; }
+.sweep td { white-space: nowrap; } .sweep tr:first-of-type th:not(:first-child) { text-align: right; }
+.paper { background: var(--card); } .ours th, .ours td { font-weight: 600; color: var(--ink); }
 pre { background: var(--card); padding: 12px; overflow-x: auto; border-radius: 6px; font-size: 13px; }
 )css";
 

@@ -73,8 +73,8 @@ std::string Intervals(const Plane& plane, const Curve& curve) {
   for (std::size_t k = 0; k < curve.half_widths.size() && k < curve.points.size(); ++k) {
     const auto& [x, y] = curve.points[k];
     const double half = HalfWidth(curve, k);
-    svg += Rule(plane.Px(x), plane.Py(std::max(y - half, 0.0)), plane.Px(x), plane.Py(y + half),
-                "curve " + ColourClass(curve.colour));
+    svg += Rule(plane.Px(x), plane.Py(std::max(y - half, 0.0)), plane.Px(x),
+                plane.Py(std::min(y + half, plane.y.top)), "curve " + ColourClass(curve.colour));
     svg += Dot(plane.Px(x), plane.Py(y), 3, "dot " + ColourClass(curve.colour));
   }
   return svg;
@@ -89,7 +89,7 @@ SvgFigure LineFigure(const ChartText& text, const std::vector<Curve>& curves,
     for (std::size_t k = 0; k < curve.points.size(); ++k)
       if (const auto& [x, y] = curve.points[k]; std::isfinite(y))
         right = std::max(right, x), top = std::max(top, y + HalfWidth(curve, k));
-  const Plane plane{Axis(right), Axis(top)};
+  const Plane plane{Axis(right), Axis(std::min(top, text.y_most))};
 
   std::string svg = Axes(plane, text);
   std::vector<std::pair<std::string, int>> names;

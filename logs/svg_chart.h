@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct Curve {
 
 struct ChartText {
   std::string title, x_label, y_label;
+  double y_most =
+      std::numeric_limits<double>::infinity();  ///< where the axis ends at the latest, such as 100 %
 };
 
 /// Curves over a common pair of axes that begin at zero; long ones are thinned to what the eye can tell

@@ -14,13 +14,13 @@ constexpr double kNames = 150, kRight = 16, kTop = 14, kRow = 24, kBottom = 38;
 
 SvgFigure IntervalFigure(const std::string& title, const std::string& x_label,
                          const std::vector<IntervalRow>& rows,
-                         const std::optional<std::pair<std::string, double>>& mark) {
+                         const std::optional<std::pair<std::string, double>>& mark, double most) {
   double largest = mark ? mark->second : 0;
   for (const IntervalRow& row : rows) {
     for (const double value : row.values) largest = std::max(largest, value);
     if (std::isfinite(row.half_width)) largest = std::max(largest, row.mean + row.half_width);
   }
-  const Axis axis(largest);
+  const Axis axis(std::min(largest, most));
   const double bottom = kTop + kRow * static_cast<double>(rows.size());
   const auto px = [&](double value) {
     return kNames + std::clamp(value / axis.top, 0.0, 1.0) * (kFigureWidth - kNames - kRight);

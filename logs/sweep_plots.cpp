@@ -1,6 +1,7 @@
 #include "logs/sweep_plots.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "logs/metric_number.h"
@@ -12,6 +13,10 @@ namespace citrine::logs {
 namespace {
 
 constexpr int kInstants = 200;
+
+double MostOf(const std::string& column) {
+  return LabelOf(column).unit == "%" ? 100 : std::numeric_limits<double>::infinity();
+}
 
 SvgFigure OverTime(const SweepResults& results, const SweepWorld& world, const std::string& column) {
   std::vector<Curve> curves;
@@ -36,7 +41,7 @@ SvgFigure OverX(const SweepResults& results, const SweepWorld& world, const std:
     curve.half_widths.push_back(s.half_width);
   }
   return LineFigure({world.title + ": " + HeadOf(column) + ", mean and 95 % interval",
-                     results.plan.sweep.x_label, HeadOf(column)},
+                     results.plan.sweep.x_label, HeadOf(column), MostOf(column)},
                     {curve});
 }
 
@@ -62,7 +67,7 @@ SvgFigure ByVariant(const SweepResults& results, const SweepWorld& world, const 
     ++colour;
   }
   return IntervalFigure(world.title + ": " + HeadOf(column), HeadOf(column), rows,
-                        PaperMark(world.paper, column));
+                        PaperMark(world.paper, column), MostOf(column));
 }
 
 }  // namespace

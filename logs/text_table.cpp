@@ -96,15 +96,16 @@ std::string ToLatex(const TextTable& table) {
 }
 
 std::string ToHtml(const TextTable& table) {
-  std::string html = "<table class=\"paper\"><caption>" + Escape(table.caption) + "</caption><tr>";
+  std::string html = "<table class=\"sweep\"><caption>" + Escape(table.caption) + "</caption><tr>";
   for (const std::string& cell : table.head) html += "<th>" + Escape(cell) + "</th>";
   html += "</tr>";
   for (const TextTable::Row& row : table.rows) {
     html += row.style == Style::kEmphasised ? "<tr class=\"ours\">" : "<tr>";
     for (std::size_t i = 0; i < row.cells.size(); ++i)
-      html += (i == 0 ? "<th>" : "<td>") +
-              Wrapped(Escape(row.cells[i]), row.style, {"", ""}, {"<i>", "</i>"}) +
-              (i == 0 ? "</th>" : "</td>");
+      html +=
+          (i == 0 ? "<th>" : "<td>") +
+          Wrapped(Replaced(Escape(row.cells[i]), {{" [", "<br/>["}}), row.style, {"", ""}, {"<i>", "</i>"}) +
+          (i == 0 ? "</th>" : "</td>");
     html += "</tr>";
   }
   return html + "</table>\n";

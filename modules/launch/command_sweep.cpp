@@ -34,10 +34,27 @@ std::vector<SweepJob> OpenJobs(const Sweep& sweep, const std::string& digest, bo
   return open;
 }
 
-std::string Program(const SweepOptions& options) {
-  if (!options.hosts.empty()) return "./citrine";  // builds itself there
-  return fs::read_symlink("/proc/self/exe");
-}
+/// The program that flies: on other hosts what is built there, here a copy of this one, which no build under
+/// way replaces; gone when the sweep is over.
+class Program {
+ public:
+  Program(const Sweep& sweep, const SweepOptions& options) {
+    if (!options.hosts.empty()) return;
+    copy_ = fs::path(sweep.folder) / "launch";
+    fs::copy_file("/proc/self/exe", copy_, fs::copy_options::overwrite_existing);
+  }
+  ~Program() {
+    std::error_code ignored;
+    if (!copy_.empty()) fs::remove(copy_, ignored);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  std::string path() const { return copy_.empty() ? "./citrine" : copy_.string(); }
+
+ private:
+  fs::path copy_;
+};
 
 int SlotsOf(const SweepOptions& options) {
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
@@ -63,6 +80,7 @@ std::string Line(const SweepJob& job, const EndedJob& ended) {
 /// Flies what is open. @return how many ended without a result; nothing if it was interrupted
 std::optional<std::size_t> Fly(const Sweep& sweep, const std::vector<SweepJob>& open,
                                const SweepOptions& options, const std::string& digest) {
+  const Program program(sweep, options);
   for (const SweepJob& job : open) Begin(job, digest);
   SweepProgress progress(open, SlotsOf(options));
   std::size_t failed = 0;
@@ -75,8 +93,7 @@ std::optional<std::size_t> Fly(const Sweep& sweep, const std::vector<SweepJob>& 
                  Line(job, ended).c_str(), logs::MinutesSeconds(progress.TimeLeft_s().value_or(0)).c_str());
   };
   const bool all = RunInParallel(
-      open, {sweep.folder, Program(options), options.jobs, options.hosts, sweep.plan.sweep.keep_logs},
-      on_end);
+      open, {sweep.folder, program.path(), options.jobs, options.hosts, sweep.plan.sweep.keep_logs}, on_end);
   if (!all) return std::nullopt;
   return failed;
 }

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kParallel = "parallel";
 constexpr std::chrono::milliseconds kPoll{200};
+constexpr int kStartNoMore = SIGHUP;  // to GNU Parallel
 constexpr std::size_t kJobLogFields =
     9;  // number, host, start, runtime, sent, received, exit code, signal, command
 
@@ -96,7 +98,11 @@ bool RunInParallel(const std::vector<SweepJob>& jobs, const ParallelOptions& opt
   while (departures.empty()) {
     std::this_thread::sleep_for(kPoll);
     departures = supervisor.TakeDepartures();
-    for (; forwarded < Interrupts(); ++forwarded) supervisor.Signal(kParallel, SIGTERM);
+    for (; forwarded < Interrupts(); ++forwarded) {
+      if (forwarded == 0)
+        std::fprintf(stderr, "citrine: waiting for the missions under way; once more to end them at once\n");
+      supervisor.Signal(kParallel, forwarded == 0 ? kStartNoMore : SIGTERM);
+    }
     const std::vector<EndedJob> ended = ReadJobLog(ReadText(log));
     for (; heard < ended.size(); ++heard)
       if (ended[heard].index < jobs.size()) on_end(ended[heard]);

@@ -38,6 +38,23 @@ TEST(CommandSweep, FliesWhatIsOpenOnceAndComparesWhatItFlew) {
   EXPECT_THAT(compared.output, HasSubstr("says nothing about significance"));
 }
 
+TEST(CommandSweep, AnInterruptLetsTheMissionUnderWayEndAndTheNextCallGoesOn) {
+  const SweepFile file;
+  const std::string out = file.folder() + "/out", first = out + "/smoke/ours/3/mission.toml";
+  const std::string sweep =
+      "sweep " + file.Write() + " --seeds 3 --jobs 1 --set mission.time_limit_s=4 --out " + out;
+  const CommandResult interrupted =
+      RunCommandLine(std::string(CITRINE_BIN_DIR) + "/launch " + sweep + " & while [ ! -e " + first +
+                     " ]; do sleep 0.1; done; kill -INT $!; wait $!");
+  EXPECT_EQ(interrupted.exit_code, 130) << interrupted.output;
+  EXPECT_THAT(interrupted.output, HasSubstr("citrine: 1/2 smoke ours seed 3: time_limit"));
+  EXPECT_THAT(interrupted.output, HasSubstr("1 of 2 missions are finished"));
+  const CommandResult rest = RunCitrine(sweep);
+  EXPECT_EQ(rest.exit_code, 0);
+  EXPECT_THAT(rest.output, HasSubstr("2 missions, 1 of them finished"));
+  EXPECT_THAT(rest.output, HasSubstr("citrine: 2/2 smoke frontier seed 3: time_limit"));
+}
+
 TEST(CommandSweep, ShowsTheCommandsThatItWouldRun) {
   const SweepFile file;
   const CommandResult list = RunCitrine("sweep " + file.Write() + " --list --out " + file.folder() + "/out");
