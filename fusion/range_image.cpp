@@ -2,133 +2,105 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 #include <stdexcept>
+
+#include "fusion/lanes.h"
 
 namespace citrine::fusion {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::max();
-constexpr RangeBounds kNothing{kFar, 0.0f, false};
+Lanes At(const float* from) { return _mm256_loadu_ps(from); }
 
-RangeBounds Join(const RangeBounds& a, const RangeBounds& b) {
-  return {std::min(a.min_m, b.min_m), std::max(a.max_m, b.max_m), a.any_invalid || b.any_invalid};
+Mask At(const std::uint32_t* from) {
+  return {_mm256_castsi256_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)))};
 }
 
-float InverseRange(float range_m, const LidarModel& model) {
-  if (range_m == kNoReturn || range_m > model.range_max_m) return 0.0f;
-  return range_m >= model.range_min_m ? 1.0f / range_m : -1.0f;  // NaN is invalid as well
-}
-
-/// Whether b continues the line through a and b's predecessor `before_a`, to within `tolerance_m` of range at
-/// b.
-bool Continues(float before_a, float a, float b, float twice_cos_step, float tolerance_m) {
-  const float nearest_to_zero = std::min(a, b);
-  return before_a > 0 &&
-         std::abs(before_a + b - twice_cos_step * a) < tolerance_m * nearest_to_zero * nearest_to_zero;
+void Put(std::uint32_t* to, Mask mask) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_castps_si256(mask.v));
 }
 
 /// Whether returns b and c, of four in a row, belong to one surface: near each other, or on a plane with a or
-/// d.
-bool OneSurface(float a, float b, float c, float d, float twice_cos_step, float voxel_m) {
-  if (!(b > 0 && c > 0)) return false;
-  if (std::abs(b - c) < voxel_m * b * c) return true;
-  return Continues(a, b, c, twice_cos_step, 0.6f * voxel_m) ||
-         Continues(d, c, b, twice_cos_step, 0.6f * voxel_m);
+/// d, to within 0.6 voxel of range. On a plane q follows a cosine of the angle: before + after = 2 cos(step)
+/// here.
+Mask OneSurface(Lanes a, Lanes b, Lanes c, Lanes d, Lanes twice_cos_step, Lanes voxel_m) {
+  const Lanes nearest_to_zero = Min(b, c);
+  if (!(nearest_to_zero > 0.0f).any()) return Mask::Nowhere();
+  const Lanes tolerance = voxel_m * 0.6f * nearest_to_zero * nearest_to_zero;
+  const Mask on_plane_with_a = (a > 0.0f) & (Abs(a + c - twice_cos_step * b) < tolerance);
+  const Mask on_plane_with_d = (d > 0.0f) & (Abs(d + b - twice_cos_step * c) < tolerance);
+  return (nearest_to_zero > 0.0f) & ((Abs(b - c) < voxel_m * b * c) | on_plane_with_a | on_plane_with_d);
+}
+
+/// [1/m] 0: no return, -1: invalid (NaN as well). Lowest bits are zero.
+void InverseRanges(const float* ranges_m, int count, const LidarModel& model, float* inverse_range) {
+  const Lanes min_m = static_cast<float>(model.range_min_m), max_m = static_cast<float>(model.range_max_m);
+  const Lanes without_lowest_bit = _mm256_castsi256_ps(_mm256_set1_epi32(-2));
+  const auto eight = [&](Lanes range_m) {
+    const Lanes q = _mm256_and_ps((Lanes(1.0f) / range_m).v, without_lowest_bit.v);
+    const Mask nothing = Mask{_mm256_cmp_ps(range_m.v, Lanes(kNoReturn).v, _CMP_EQ_OQ)} | (range_m > max_m);
+    return Select(nothing, 0.0f, Select(range_m >= min_m, q, -1.0f));
+  };
+  int i = 0;
+  for (; i + 8 <= count; i += 8) _mm256_storeu_ps(inverse_range + i, eight(At(ranges_m + i)).v);
+  if (i == count) return;
+  float rest[8] = {};
+  std::copy(ranges_m + i, ranges_m + count, rest);
+  _mm256_storeu_ps(rest, eight(At(rest)).v);
+  std::copy_n(rest, count - i, inverse_range + i);
 }
 
 }  // namespace
 
-RangeImage::RangeImage(const LidarScan& scan, double voxel_m)
-    : model_(scan.model), rows_(std::max(scan.model.rows, 2)) {
-  if (scan.ranges_m.size() != model_.num_beams())
+void RangeImage::Take(const LidarScan& scan, double voxel_m) {
+  if (scan.ranges_m.size() != scan.model.num_beams())
     throw std::invalid_argument("a scan needs a range for each beam");
-  inverse_range_.resize(static_cast<std::size_t>(rows_) * stride());
+  model_ = scan.model;
+  rows_ = std::max(model_.rows, 2);
+  const int cols = model_.cols;
+  stride_ = kTurnedLeft + cols + kTurnedRight;
+  inverse_range_.assign(static_cast<std::size_t>(rows_ + 3) * stride_, -1.0f);
   for (int row = 0; row < rows_; ++row) {
-    const float* from =
-        &scan.ranges_m[static_cast<std::size_t>(std::min(row, model_.rows - 1)) * model_.cols];
-    float* to = &inverse_range_[static_cast<std::size_t>(row) * stride()];
-    for (int col = 0; col < model_.cols; ++col) to[col] = InverseRange(from[col], model_);
-    to[model_.cols] = to[0];
+    float* to = &inverse_range_[kTurnedLeft + static_cast<std::size_t>(row + 1) * stride_];
+    InverseRanges(&scan.ranges_m[static_cast<std::size_t>(std::min(row, model_.rows - 1)) * cols], cols,
+                  model_, to);
+    Turn(to);
   }
   LinkNeighbours(voxel_m);
-  BuildPyramid();
 }
 
 void RangeImage::LinkNeighbours(double voxel_m) {
-  const int cols = model_.cols;
-  const auto at = [&](int row, int col) {
-    return row < 0 || row >= model_.rows ? -1.0f
-                                         : inverse_range_[static_cast<std::size_t>(row) * stride() + col];
+  const Lanes voxel = static_cast<float>(voxel_m), cos_col = 2.0f;
+  const Lanes cos_row = static_cast<float>(2 * std::cos(model_.row_step_rad()));
+  const int cols = model_.cols, lanes = (cols + 8) / 8 * 8;
+  up_.assign(static_cast<std::size_t>(lanes) + 8, 0);
+  left_.assign(2 * static_cast<std::size_t>(lanes), 0);
+  const auto link_left = [&](int row) {
+    const float* at = inverse_range() + static_cast<std::ptrdiff_t>(row) * stride_;
+    for (int col = 0; col < cols; col += 8)
+      Put(&left_[static_cast<std::size_t>(row % 2) * lanes + col],
+          OneSurface(At(at + col - 1), At(at + col), At(at + col + 1), At(at + col + 2), cos_col, voxel));
   };
-  const auto voxel = static_cast<float>(voxel_m);
-  const float cos_row = static_cast<float>(2 * std::cos(model_.row_step_rad())), cos_col = 2.0f;
-  std::vector<std::uint8_t> up(static_cast<std::size_t>(rows_) * stride(), 0), left(up);
-  for (int row = 0; row < model_.rows; ++row)
-    for (int col = 0; col < cols; ++col) {
-      const std::size_t i = static_cast<std::size_t>(row) * stride() + col;
-      const float here = inverse_range_[i];
-      if (!(here > 0)) continue;
-      up[i] = OneSurface(at(row - 1, col), here, at(row + 1, col), at(row + 2, col), cos_row, voxel);
-      left[i] = OneSurface(at(row, col == 0 ? cols - 1 : col - 1), here, at(row, col + 1),
-                           at(row, (col + 2) % cols), cos_col, voxel);
+  link_left(0);
+  for (int row = 0; row + 1 < model_.rows; ++row) {
+    link_left(row + 1);
+    float* at = &inverse_range_[kTurnedLeft + static_cast<std::size_t>(row + 1) * stride_];
+    for (int col = 0; col < lanes; col += 8)
+      Put(&up_[col], OneSurface(At(at + col - stride_), At(at + col), At(at + col + stride_),
+                                At(at + col + 2 * static_cast<std::ptrdiff_t>(stride_)), cos_row, voxel));
+    const __m256 lowest_bit = _mm256_castsi256_ps(_mm256_set1_epi32(1));
+    for (int col = 0; col < cols; col += 8) {
+      const Mask one_surface = At(&up_[col]) & At(&up_[col + 1]) & At(&left_[col]) & At(&left_[lanes + col]);
+      _mm256_storeu_ps(at + col, _mm256_or_ps(At(at + col).v, _mm256_and_ps(one_surface.v, lowest_bit)));
     }
-  one_surface_.assign(up.size(), 0);
-  for (int row = 0; row + 1 < model_.rows; ++row)
-    for (int col = 0; col < cols; ++col) {
-      const std::size_t i = static_cast<std::size_t>(row) * stride() + col;
-      const std::size_t next = col + 1 == cols ? i + 1 - cols : i + 1;
-      one_surface_[i] = up[i] & up[next] & left[i] & left[i + stride()];
-    }
-}
-
-void RangeImage::BuildPyramid() {
-  Level base{model_.rows, model_.cols, {}};
-  base.cells.reserve(model_.num_beams());
-  for (int row = 0; row < model_.rows; ++row)
-    for (int col = 0; col < model_.cols; ++col) {
-      const float q = inverse_range_[static_cast<std::size_t>(row) * stride() + col];
-      base.cells.push_back(q < 0   ? RangeBounds{kFar, 0.0f, true}
-                           : q > 0 ? RangeBounds{1 / q, 1 / q, false}
-                                   : RangeBounds{kFar, kFar, false});
-    }
-  levels_.push_back(std::move(base));
-  while (levels_.back().rows > 1 || levels_.back().cols > 1) {
-    const Level& fine = levels_.back();
-    Level coarse{(fine.rows + 1) / 2, (fine.cols + 1) / 2, {}};
-    coarse.cells.assign(static_cast<std::size_t>(coarse.rows) * coarse.cols, kNothing);
-    for (int row = 0; row < fine.rows; ++row)
-      for (int col = 0; col < fine.cols; ++col) {
-        RangeBounds& cell = coarse.cells[static_cast<std::size_t>(row / 2) * coarse.cols + col / 2];
-        cell = Join(cell, fine.cells[static_cast<std::size_t>(row) * fine.cols + col]);
-      }
-    levels_.push_back(std::move(coarse));
+    Turn(at);
   }
 }
 
-RangeBounds RangeImage::Bounds(int row_min, int row_max, int col_min, int col_max) const {
-  row_min = std::clamp(row_min, 0, model_.rows - 1);
-  row_max = std::clamp(row_max, 0, model_.rows - 1);
-  if (col_max - col_min + 1 >= model_.cols) col_min = 0, col_max = model_.cols - 1;
-  if (col_max < 0) col_min += model_.cols, col_max += model_.cols;
-  if (col_min >= model_.cols) col_min -= model_.cols, col_max -= model_.cols;
-  std::size_t level = 0;
-  while (level + 1 < levels_.size() &&
-         ((row_max >> level) - (row_min >> level) > 2 || (col_max - col_min) >> level > 2))
-    ++level;
-  const Level& cells = levels_[level];
-  const auto rows_of = [&](int first_col, int last_col) {
-    RangeBounds bounds = kNothing;
-    for (int row = row_min >> level; row <= row_max >> level; ++row)
-      for (int col = first_col >> level; col <= last_col >> level; ++col)
-        bounds = Join(bounds, cells.cells[static_cast<std::size_t>(row) * cells.cols + col]);
-    return bounds;
-  };
-  // A part that crosses the seam is looked up on both sides of it.
-  if (col_min < 0) return Join(rows_of(col_min + model_.cols, model_.cols - 1), rows_of(0, col_max));
-  if (col_max >= model_.cols)
-    return Join(rows_of(col_min, model_.cols - 1), rows_of(0, col_max - model_.cols));
-  return rows_of(col_min, col_max);
+void RangeImage::Turn(float* row) const {
+  const int cols = model_.cols;
+  for (int i = 0; i < kTurnedRight; ++i) row[cols + i] = row[i % cols];
+  for (int i = 1; i <= kTurnedLeft; ++i) row[-i] = row[(kTurnedLeft * cols - i) % cols];
 }
 
 }  // namespace citrine::fusion

@@ -17,7 +17,7 @@ struct Sample {
 
 Sample SampleAt(const TsdfMap& map, const VoxelIndex& voxel) {
   const TsdfBlock* block = map.Find(map.grid().Block(voxel));
-  const int i = VoxelGrid::InBlock(voxel);
+  const int i = TsdfBlock::IndexOf(voxel);
   if (!block || !(block->weight[i] > 0)) return {};
   return {block->distance_m[i], block->quality[i], true};
 }

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/map/tsdf_map.h"
 #include "core/sensor/lidar_scan.h"
+#include "fusion/brick_sight.h"
 #include "fusion/lanes.h"
+#include "fusion/range_bounds.h"
 #include "fusion/range_image.h"
 #include "fusion/voxel_observer.h"
 #include "fusion/weight_policy.h"
@@ -15,27 +18,34 @@ namespace citrine::fusion {
 /// into the scan's range image and observed once (projective integration; Curless & Levoy 1996 for the
 /// averaging).
 ///
-/// Blocks that the image shows to lie behind what was seen are skipped, and blocks in front of everything are
-/// filled without looking their voxels up. A surface once seen well is kept from free rays that graze it from
-/// afar.
+/// Blocks, and bricks of blocks, that the image shows to lie behind what was seen are skipped, and so are
+/// those that beams pass without a return nearby if all of them is known as free. A surface once seen well is
+/// kept from free rays that graze it from afar.
 class TsdfIntegrator {
  public:
-  TsdfIntegrator(TsdfMap& map, WeightPolicy policy) : map_(map), policy_(policy) {}
+  /// @param threads  that share the blocks of a scan; the map is the same to the bit for any number
+  TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int threads = 1);
 
   /// @return the blocks in which anything changed that could be said, ascending
   std::vector<int> Integrate(const LidarScan& scan);
 
  private:
-  enum class Sight { kNone, kFree, kMixed };
   struct View;
-  Sight SightOf(const View& view, const Eigen::Vector3d& centre_S, double radius_m, float* farthest_m) const;
-  bool Fill(TsdfBlock& block, float weight) const;
-  bool Observe(const View& view, const VoxelIndex& origin, TsdfBlock& block) const;
-  bool Fuse(const Observation& observation, int row, TsdfBlock& block) const;
+  void FindCandidates(const View& view);
+  bool IntegrateBlock(const View& view, int block);
+  bool ObserveBricks(const View& view, const VoxelIndex& origin, TsdfBlock& block) const;
+  /// Takes bricks of an octant (one bit each) for free, by what was seen of octant or brick `number`.
+  bool Free(const BrickSight& sight, int number, int first_brick, int bricks, TsdfBlock& block) const;
+  bool Fuse(const Observation& observation, int brick, TsdfBlock& block) const;
   void CountPoints(const LidarScan& scan, std::vector<int>& changed);
 
   TsdfMap& map_;
   WeightPolicy policy_;
+  int threads_;
+  RangeImage image_;
+  RangeBounds bounds_;
+  std::vector<int> candidates_;        ///< blocks of which the scan may tell something
+  std::vector<std::uint8_t> changed_;  ///< one a candidate
 };
 
 }  // namespace citrine::fusion

@@ -16,11 +16,15 @@ MapBlock TsdfMap::Quantise(int block, const Quantisation& quantisation) const {
   coded.version = version_[block];
   const TsdfBlock* full = Find(block);
   if (!full) return coded;
-  for (int i = 0; i < kBlockVoxels; ++i) {
-    if (!(full->weight[i] > 0)) continue;
-    coded.distance[i] = quantisation.DistanceCode(full->distance_m[i]);
-    if (coded.distance[i] < kFreeCode) coded.weight[i] = quantisation.WeightCode(full->quality[i]);
-  }
+  for (int z = 0; z < kBlockSide; ++z)
+    for (int y = 0; y < kBlockSide; ++y)
+      for (int x = 0; x < kBlockSide; ++x) {
+        const VoxelIndex voxel(x, y, z);
+        const int from = TsdfBlock::IndexOf(voxel), to = VoxelGrid::InBlock(voxel);
+        if (!(full->weight[from] > 0)) continue;
+        coded.distance[to] = quantisation.DistanceCode(full->distance_m[from]);
+        if (coded.distance[to] < kFreeCode) coded.weight[to] = quantisation.WeightCode(full->quality[from]);
+      }
   return coded;
 }
 

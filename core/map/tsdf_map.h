@@ -10,14 +10,27 @@
 
 namespace citrine {
 
-/// 8x8x8 voxels of the full map, each field an array of its own so that a row of eight is one vector
-/// register.
+/// A brick is 2x2x2 voxels: one vector register, and as small as such a thing can be. A block has 64.
+inline constexpr int kBrickSide = 2, kBrickVoxels = 8, kBlockBricks = 64;
+
+/// 8x8x8 voxels of the full map, each field an array of its own, brick by brick (`IndexOf`).
 struct alignas(64) TsdfBlock {
-  float
-      distance_m[kBlockVoxels];  ///< signed distance to the surface, averaged by weight, within +-truncation
-  float weight[kBlockVoxels];    ///< sum of the weights of all observations; 0: unknown
-  float quality[kBlockVoxels];   ///< confidence by the mission's weight policy, surface band only (section
-                                 ///< III-A)
+  /// [m] signed distance to the surface, averaged by weight, within +-truncation
+  float distance_m[kBlockVoxels];
+  /// Sum of the weights of all observations; 0: unknown. A voxel only ever seen free keeps that of the first.
+  float weight[kBlockVoxels];
+  /// Confidence by the mission's weight policy, surface band only (section III-A)
+  float quality[kBlockVoxels];
+  /// One bit a brick: all of it known and free, and no surface ever seen in it, so that free rays tell
+  /// nothing new.
+  std::uint64_t clear_bricks;
+
+  /// Where a voxel stands in the arrays above: x, y, z of its place in the block, their bits interleaved, so
+  /// that bricks and octants of the block lie together (Morton 1966).
+  static int IndexOf(const VoxelIndex& v) {
+    const auto spread = [](int i) { return (i & 1) | (i & 2) << 2 | (i & 4) << 4; };
+    return spread(v.x()) | spread(v.y()) << 1 | spread(v.z()) << 2;
+  }
 };
 
 /// The full TSDF (Curless & Levoy 1996): a dense table of blocks on the mission's grid, allocated when first

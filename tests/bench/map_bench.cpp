@@ -1,124 +1,158 @@
-#include <benchmark/benchmark.h>
+#include <cstdio>
+#include <cstring>
+
 #include <dynamicEDT3D/dynamicEDTOctomap.h>
 #include <octomap/OcTree.h>
 
 #include "core/map/planning_map.h"
 #include "fusion/map_fuser.h"
 #include "fusion/surface_mesh.h"
-#include "tests/support/analytic_scene.h"
+#include "modules/codec/map_blocks.h"
+#include "tests/bench/cpu_clock.h"
+#include "tests/support/house_flight.h"
+#include "tests/support/map_score.h"
+#include "tests/support/ray_integrator.h"
 
-// The same scans for us and for OctoMap (insertPointCloud, discretised) with DynamicEDT3D: quote the ratios
-// of one run.
-namespace citrine {
+// The map of the House, side by side with OctoMap (insertPointCloud, discretised) and DynamicEDT3D on the
+// same scans of our own emulator, one after the other scan by scan in one run, in time on one processor.
+namespace citrine::bench {
 namespace {
 
-const Eigen::AlignedBox3d kVolume(Eigen::Vector3d(-20, -20, 0), Eigen::Vector3d(20, 20, 10));
+constexpr double kTruncation_vox = 2.0;
+const double kWeightMax = 1 / (4.5 * 4.5);
 
-std::vector<LidarScan> Scans(int rows, int cols) {
-  test::AnalyticScene scene;
-  scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0);
-  scene.AddBox({-5, -4, 0}, {5, 4, 6});
-  scene.AddBox({9, -3, 0}, {13, -1, 1.6});
-  scene.AddBox({8, 6, 0}, {8.1, 6.1, 4});
-  for (int i = 0; i < 6; ++i) scene.AddSphere({-10.0 + 4 * i, 9, 2}, 1.2);
-  LidarModel model;
-  model.rows = rows;
-  model.cols = cols;
-  Random random(1);
-  std::vector<LidarScan> scans;
-  for (int i = 0; i < 60; ++i) {
-    const double angle = 0.1 * i;
-    const Pose X_WS{{9 * std::cos(angle), 8 * std::sin(angle), 2.5 + 0.03 * i},
-                    Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * std::sin(angle), Eigen::Vector3d::UnitX()))};
-    scans.push_back(scene.Scan(X_WS, model, 1.5e-4, &random));
-  }
-  return scans;
+VoxelGrid Grid(double voxel_m) {
+  return VoxelGrid(voxel_m, test::kHouseVolume_W, (kTruncation_vox + 1) * voxel_m);
+}
+fusion::MapFuser Fuser(double voxel_m) {
+  return fusion::MapFuser(Grid(voxel_m), kTruncation_vox * voxel_m,
+                          Quantisation(kTruncation_vox * voxel_m, kWeightMax),
+                          fusion::WeightPolicy::kBestView);
 }
 
-octomap::Pointcloud CloudOf(const LidarScan& scan) {
-  octomap::Pointcloud cloud;
+struct Cloud {
+  octomap::Pointcloud points;
+  octomap::point3d origin;
+};
+Cloud CloudOf(const LidarScan& scan) {
+  const Eigen::Vector3f origin = scan.X_WS.p.cast<float>();
+  Cloud cloud{{}, {origin.x(), origin.y(), origin.z()}};
   for (int row = 0; row < scan.model.rows; ++row)
     for (int col = 0; col < scan.model.cols; ++col) {
       const float r = scan.ranges_m[static_cast<std::size_t>(row) * scan.model.cols + col];
       if (!(r > 0)) continue;
       const Eigen::Vector3f p = (scan.X_WS * (scan.model.Direction(row, col) * r)).cast<float>();
-      cloud.push_back(p.x(), p.y(), p.z());
+      cloud.points.push_back(p.x(), p.y(), p.z());
     }
   return cloud;
 }
-octomap::point3d OriginOf(const LidarScan& scan) {
-  const Eigen::Vector3f p = scan.X_WS.p.cast<float>();
-  return {p.x(), p.y(), p.z()};
-}
 
-void BM_FuseScan(benchmark::State& state) {
-  const std::vector<LidarScan> scans =
-      Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  const VoxelGrid grid(0.25, kVolume, 0.75);
-  fusion::MapFuser fuser(grid, 0.5, Quantisation(0.5, 1 / (4.5 * 4.5)), fusion::WeightPolicy::kBestView);
-  std::size_t i = 0;
-  for (auto _ : state) fuser.Integrate(scans[i++ % scans.size()]);
-}
-BENCHMARK(BM_FuseScan)->Args({32, 512})->Args({64, 720})->Args({16, 360})->Unit(benchmark::kMillisecond);
-
-void BM_OctomapInsert(benchmark::State& state) {
-  const std::vector<LidarScan> scans =
-      Scans(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  std::vector<octomap::Pointcloud> clouds;
-  for (const LidarScan& scan : scans) clouds.push_back(CloudOf(scan));
-  octomap::OcTree tree(0.25);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    tree.insertPointCloud(clouds[i % scans.size()], OriginOf(scans[i % scans.size()]), -1, false, true);
-    ++i;
+void Integration(const test::HouseFlight& flight, int rows, int cols, double voxel_m, int scans) {
+  fusion::MapFuser fuser = Fuser(voxel_m);
+  octomap::OcTree tree(voxel_m);
+  Samples ours, octomap, points;
+  for (const LidarScan& scan : flight.Scans(rows, cols)) {
+    if (static_cast<int>(ours.values.size()) == scans) break;
+    const Cloud cloud = CloudOf(scan);
+    ours.Add(TimeMs([&] { fuser.Integrate(scan); }));
+    octomap.Add(TimeMs([&] { tree.insertPointCloud(cloud.points, cloud.origin, -1, false, true); }));
+    points.Add(static_cast<double>(cloud.points.size()));
   }
+  std::printf(
+      "integration %2dx%3d, %.2f m: %6.3f ms a scan (median %6.3f), OctoMap %7.3f (%7.3f): %5.1fx; %zu scans "
+      "of %.0f returns\n",
+      rows, cols, voxel_m, ours.mean(), ours.median(), octomap.mean(), octomap.median(),
+      octomap.sum() / ours.sum(), ours.values.size(), points.mean());
 }
-BENCHMARK(BM_OctomapInsert)->Args({32, 512})->Args({64, 720})->Args({16, 360})->Unit(benchmark::kMillisecond);
 
-/// Both distance fields after a scan's blocks were applied.
-void BM_DistanceFields(benchmark::State& state) {
-  const std::vector<LidarScan> scans = Scans(32, 512);
-  const VoxelGrid grid(0.25, kVolume, 0.75);
-  const Quantisation codes(0.5, 1 / (4.5 * 4.5));
-  fusion::MapFuser fuser(grid, 0.5, codes, fusion::WeightPolicy::kBestView);
-  PlanningMap map(grid, codes);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    state.PauseTiming();
-    fuser.Integrate(scans[i++ % scans.size()]);
-    const std::vector<int> changed = fuser.TakeChanged();
-    state.ResumeTiming();
-    for (const int block : changed) map.Apply(*fuser.Said(block));
-    map.Update();
+void Print(const char* who, const test::MapScore& score) {
+  std::printf("%-30s mean %.4f m, p95 %.4f m, %.2f %% of what was seen, %.0f m2\n", who, score.error_mean_m,
+              score.error_p95_m, score.seen_pct, score.area_m2);
+}
+
+void Accuracy(const test::HouseFlight& flight, int rows, int cols) {
+  const std::vector<LidarScan> scans = flight.Scans(rows, cols);
+  fusion::MapFuser fuser = Fuser(0.25);
+  TsdfMap exact(Grid(0.25), kTruncation_vox * 0.25);
+  test::RayIntegrator rays(exact);
+  for (const LidarScan& scan : scans) {
+    fuser.Integrate(scan);
+    rays.Integrate(scan);
   }
+  const auto seen_W = test::SeenSurface(flight.Scans(rows, cols, 0));
+  std::printf("accuracy %dx%d\n", rows, cols);
+  Print("  projective", test::Score(fusion::SurfaceMesh(fuser.map()), *flight.scene(), seen_W, 0.25));
+  Print("  every ray (the oracle)", test::Score(fusion::SurfaceMesh(exact), *flight.scene(), seen_W, 0.25));
 }
-BENCHMARK(BM_DistanceFields)->Iterations(60)->Unit(benchmark::kMillisecond);
 
-void BM_DynamicEdt3d(benchmark::State& state) {
-  const std::vector<LidarScan> scans = Scans(32, 512);
+/// A scan of each of three UAVs, a third of the tour apart, then both fields against DynamicEDT3D's one.
+void Fields(const test::HouseFlight& flight) {
+  const std::vector<LidarScan> scans = flight.Scans(64, 720);
+  fusion::MapFuser fuser = Fuser(0.25);
+  PlanningMap map(Grid(0.25), Quantisation(0.5, kWeightMax));
   octomap::OcTree tree(0.25);
   tree.enableChangeDetection(true);
-  DynamicEDTOctomap edt(3.0f, &tree, octomap::point3d(-20, -20, -1), octomap::point3d(20, 20, 10), false);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    state.PauseTiming();
-    const LidarScan& scan = scans[i++ % scans.size()];
-    tree.insertPointCloud(CloudOf(scan), OriginOf(scan), -1, false, true);
-    state.ResumeTiming();
-    edt.update();
+  DynamicEDTOctomap edt(static_cast<float>(PlanningMap::kOccupiedReach_m), &tree,
+                        octomap::point3d(-22.5, -20, -1), octomap::point3d(22.5, 20, 20), false);
+  Samples quantise, ours, theirs, bytes, coding;
+  const std::size_t third = scans.size() / 3;
+  for (std::size_t i = 0; i < third; ++i) {
+    for (const std::size_t uav : {0u, 1u, 2u}) {
+      fuser.Integrate(scans[i + uav * third]);
+      const Cloud cloud = CloudOf(scans[i + uav * third]);
+      tree.insertPointCloud(cloud.points, cloud.origin, -1, false, true);
+    }
+    std::vector<int> changed;
+    quantise.Add(TimeMs([&] { changed = fuser.TakeChanged(); }));
+    std::vector<MapBlock> blocks;
+    for (const int block : changed) blocks.push_back(*fuser.Said(block));
+    ours.Add(TimeMs([&] {
+      for (const MapBlock& block : blocks) map.Apply(block);
+      map.Update();
+    }));
+    theirs.Add(TimeMs([&] { edt.update(); }));
+    coding.Add(TimeMs([&] {
+      double sum = 0;
+      for (const auto& message : EncodeInMessages(blocks)) sum += message.getEncodedSize();
+      bytes.Add(sum);
+    }));
   }
+  std::printf(
+      "both distance fields: %.3f ms a round of three scans (median %.3f), DynamicEDT3D's one %.3f (%.3f): "
+      "%.2fx\n",
+      ours.mean(), ours.median(), theirs.mean(), theirs.median(), theirs.sum() / ours.sum());
+  std::printf("quantising %.3f ms, coding %.3f ms for %.0f bytes a round\n", quantise.mean(), coding.mean(),
+              bytes.mean());
 }
-BENCHMARK(BM_DynamicEdt3d)->Iterations(60)->Unit(benchmark::kMillisecond);
 
-void BM_Mesh(benchmark::State& state) {
-  fusion::MapFuser fuser(VoxelGrid(0.25, kVolume, 0.75), 0.5, Quantisation(0.5, 1 / (4.5 * 4.5)),
-                         fusion::WeightPolicy::kBestView);
-  for (const LidarScan& scan : Scans(32, 512)) fuser.Integrate(scan);
-  for (auto _ : state) benchmark::DoNotOptimize(fusion::SurfaceMesh(fuser.map()));
+void Mesh(const test::HouseFlight& flight) {
+  fusion::MapFuser fuser = Fuser(0.25);
+  for (const LidarScan& scan : flight.Scans(64, 720)) fuser.Integrate(scan);
+  Samples whole;
+  std::size_t triangles = 0;
+  for (int i = 0; i < 10; ++i)
+    whole.Add(TimeMs([&] { triangles = fusion::SurfaceMesh(fuser.map()).triangles.size(); }));
+  std::printf("mesh of the whole map: %.2f ms, %zu triangles; TSDF and confidence %.1f MB\n", whole.median(),
+              triangles, 1e-6 * static_cast<double>(fuser.map().bytes()));
 }
-BENCHMARK(BM_Mesh)->Unit(benchmark::kMillisecond);
+
+int Main(int argc, char** argv) {
+  const test::HouseFlight flight;
+  const auto asked = [&](const char* part) { return argc < 2 || std::strstr(argv[1], part) != nullptr; };
+  if (asked("integration")) {
+    Integration(flight, 64, 720, 0.25, test::HouseFlight::kPoses);
+    Integration(flight, 16, 360, 0.25, test::HouseFlight::kPoses);
+    Integration(flight, 32, 512, 0.25, test::HouseFlight::kPoses);
+    Integration(flight, 64, 720, 0.10, 40);
+  }
+  if (asked("fields")) Fields(flight);
+  if (asked("mesh")) Mesh(flight);
+  if (asked("accuracy"))
+    for (const auto& [rows, cols] : {std::pair{64, 720}, {32, 512}, {16, 360}}) Accuracy(flight, rows, cols);
+  return 0;
+}
 
 }  // namespace
-}  // namespace citrine
+}  // namespace citrine::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return citrine::bench::Main(argc, argv); }

@@ -102,7 +102,7 @@ TEST(TeammateFilter, KeepsATeammateOutOfTheMap) {
     const VoxelIndex v = grid.FromLinear(i);
     if ((grid.Centre(v) - teammate).norm() > 1) continue;
     const TsdfBlock* block = fuser.map().Find(grid.Block(v));
-    const int at = VoxelGrid::InBlock(v);
+    const int at = TsdfBlock::IndexOf(v);
     EXPECT_FALSE(block && block->weight[at] > 0 && block->distance_m[at] < 0.25f);
   }
 }

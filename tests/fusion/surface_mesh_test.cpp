@@ -16,9 +16,9 @@ TsdfMap Ball(const Eigen::Vector3d& centre_W, double radius_m) {
     const VoxelIndex v = map.grid().FromLinear(i);
     TsdfBlock& block = map.Allocate(map.grid().Block(v));
     const double d = (map.grid().Centre(v) - centre_W).norm() - radius_m;
-    block.distance_m[VoxelGrid::InBlock(v)] = static_cast<float>(std::clamp(d, -0.5, 0.5));
-    block.weight[VoxelGrid::InBlock(v)] = 1;
-    block.quality[VoxelGrid::InBlock(v)] = 0.04f;
+    block.distance_m[TsdfBlock::IndexOf(v)] = static_cast<float>(std::clamp(d, -0.5, 0.5));
+    block.weight[TsdfBlock::IndexOf(v)] = 1;
+    block.quality[TsdfBlock::IndexOf(v)] = 0.04f;
   }
   return map;
 }
@@ -81,8 +81,8 @@ TEST(CubeCases, NeighbouringCubesAgreeOnTheFaceBetweenThem) {
     state = state * 1664525 + 1013904223;
     const bool inner = (v.array() > map.grid().inside_min().array()).all() &&
                        (v.array() + 1 < map.grid().inside_max().array()).all();
-    block.distance_m[VoxelGrid::InBlock(v)] = inner && (state >> 16 & 1) ? -0.1f : 0.1f;
-    block.weight[VoxelGrid::InBlock(v)] = 1;
+    block.distance_m[TsdfBlock::IndexOf(v)] = inner && (state >> 16 & 1) ? -0.1f : 0.1f;
+    block.weight[TsdfBlock::IndexOf(v)] = 1;
   }
   const TriMesh mesh = SurfaceMesh(map);
   std::map<std::pair<int, int>, int> balance;

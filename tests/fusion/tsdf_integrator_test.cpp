@@ -32,7 +32,7 @@ struct Voxel {
 
 Voxel At(const TsdfMap& map, const VoxelIndex& voxel) {
   const TsdfBlock* block = map.Find(map.grid().Block(voxel));
-  const int i = VoxelGrid::InBlock(voxel);
+  const int i = TsdfBlock::IndexOf(voxel);
   if (!block) return {0, 0, 0};
   return {block->distance_m[i], block->weight[i], block->quality[i]};
 }

@@ -22,7 +22,7 @@ void RayIntegrator::Integrate(const LidarScan& scan) {
         const double sdf_m = returned ? std::min(surface_m - at_m, truncation_m) : truncation_m;
         if (sdf_m <= -truncation_m) return true;
         TsdfBlock& block = map_.Allocate(grid.Block(voxel));
-        const int i = VoxelGrid::InBlock(voxel);
+        const int i = TsdfBlock::IndexOf(voxel);
         const double added = (1 + std::min(sdf_m / truncation_m, 0.0)) / (surface_m * surface_m);
         const double sum = block.weight[i] + added;
         block.distance_m[i] =

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "fusion/lanes.h"
+#include "fusion/range_bounds.h"
+#include "fusion/voxel_observer.h"
+
+namespace citrine::fusion {
+
+/// What a scan can say about eight balls of voxels at once (bricks, octants or blocks), before any voxel is
+/// looked up.
+struct BrickSight {
+  Mask seen;         ///< neither out of view nor all of it behind what was seen
+  Mask passed;       ///< no return ends near it: all that can be said is that it is free
+  Mask free;         ///< that can be said of all of it
+  Lanes farthest_m;  ///< that was seen around it, where it is free
+};
+
+/// Compares the nearest and farthest points of balls with the ranges in the window of the image that holds
+/// them.
+/// @param x,y,z  [m] centres in the sensor frame @param radius_m  of the centres of their voxels
+inline BrickSight SightOf(Lanes x, Lanes y, Lanes z, float radius_m, const LidarModel& model,
+                          const VoxelObserver& observer, const RangeBounds& bounds, float truncation_m) {
+  const Lanes level2 = MulAdd(x, x, y * y), level = Sqrt(level2), distance_m = Sqrt(MulAdd(z, z, level2));
+  const float last_row = static_cast<float>(model.rows - 1), cols = static_cast<float>(model.cols);
+  const auto range_max_m = static_cast<float>(model.range_max_m);
+  const auto pixel = observer.PixelOf(x, y, z);
+
+  // asin(t) <= 1.0472 t for t <= 1/2; nearer than that anything may be seen.
+  constexpr float kAsin = 1.0472f;
+  const Lanes per_level = Lanes(1.0f) / Max(level, 1e-3f),
+              per_cos_elevation = Min(distance_m * per_level, 20.0f);
+  const Lanes half_cols = Lanes(kAsin * radius_m * observer.cols_a_radian()) * per_level;
+  const Lanes half_rows = Lanes(kAsin * radius_m * observer.rows_a_radian()) / distance_m;
+  const Mask around = distance_m < 2 * radius_m, over_pole = level < 2 * radius_m;
+  const Lanes low = pixel.row - half_rows, high = pixel.row + half_rows;
+  const Mask out_of_view =
+      (high < -0.5f) | (low > last_row + 0.5f) | (distance_m > range_max_m + truncation_m + radius_m);
+
+  const Lanes first_row = Min(Max(Floor(low), 0.0f), last_row),
+              end_row = Min(Max(Floor(high) + 1.0f, 0.0f), last_row);
+  const Lanes rows = end_row - first_row;
+  const Lanes first_col = Floor(pixel.col - half_cols),
+              num_cols = Floor(pixel.col + half_cols) + 1.0f - first_col;
+  const Lanes col = first_col + Keep(first_col < 0.0f, cols);
+  const Mask too_wide = around | over_pole | (rows > static_cast<float>(RangeBounds::kHighest)) |
+                        (num_cols > static_cast<float>(RangeBounds::kWidest)) | (col < 0.0f) | (col >= cols);
+  const auto index = [&](Lanes value) { return ToInt(Keep(Without(Mask::Everywhere(), too_wide), value)); };
+  const RangeBounds::Ranges ranges = bounds.Of(index(first_row), index(rows), index(col), index(num_cols));
+
+  // Before every edge, and before the plane that is seen beyond; if there is none, before everything by a
+  // margin that does for planes seen at up to 60 degrees.
+  const Lanes far_m = distance_m + radius_m;
+  const auto [on_plane, height_m] = observer.HeightOf(pixel, distance_m, per_cos_elevation);
+  const Mask before_edges = far_m < ranges.nearest_edge_m - truncation_m;
+  const Mask before_plane = on_plane & (height_m > truncation_m + 1.1f * radius_m);
+  const Mask before_all = far_m < ranges.nearest_m - 2 * truncation_m;
+  const Mask no_edge = ranges.nearest_edge_m > range_max_m;
+  const Mask behind_plane = on_plane & no_edge & (height_m < -(truncation_m + 1.1f * radius_m));
+  const Mask behind_all = (distance_m - radius_m > ranges.farthest_m + 2 * truncation_m) | behind_plane;
+  BrickSight sight;
+  sight.passed = Without(before_all | (before_edges & before_plane), too_wide);
+  sight.seen = Without(Mask::Everywhere(), Without(Without(behind_all, too_wide) | out_of_view, around));
+  const Mask in_view = (low >= 0.0f) & (high <= last_row) & (far_m < range_max_m);
+  sight.free = sight.passed & in_view & ranges.all_valid;
+  sight.farthest_m = ranges.farthest_m;
+  return sight;
+}
+
+}  // namespace citrine::fusion
