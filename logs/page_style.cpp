@@ -25,7 +25,7 @@ svg text { font: 11px system-ui, sans-serif; fill: var(--soft); } svg .head { fo
 )css";
 
 constexpr const char* kPage = R"css(
-body { margin: 0 auto; max-width: 1160px; padding: 24px; background: var(--page); color: var(--ink);
+body { margin: 0 auto; max-width: 1200px; padding: 24px; background: var(--page); color: var(--ink);
   font: 15px/1.45 system-ui, sans-serif; }
 h1 { font-size: 24px; margin: 0 0 4px; } h2 { font-size: 18px; margin: 32px 0 10px; }
 .soft { color: var(--soft); }
@@ -35,7 +35,7 @@ h1 { font-size: 24px; margin: 0 0 4px; } h2 { font-size: 18px; margin: 32px 0 10
 .tables { columns: 2 400px; column-gap: 28px; } .tables table { break-inside: avoid; margin-bottom: 18px; }
 figure { margin: 0; padding: 10px; background: var(--card); border-radius: 6px; }
 figcaption, caption { font-weight: 600; text-align: left; padding-bottom: 6px; }
-.legend { float: right; font-weight: 400; color: var(--soft); font-size: 13px; } .legend > span { margin-left: 10px; }
+.legend { float: right; font-weight: 400; color: var(--soft); font-size: 13px; } .legend > span { margin-left: 10px; white-space: nowrap; }
 .legend i { display: inline-block; width: 14px; height: 3px; margin-right: 4px; vertical-align: middle; background: var(--c); }
 svg { width: 100%; height: auto; display: block; }
 img { max-width: 100%; max-height: 820px; display: block; border-radius: 6px; }
@@ -43,7 +43,7 @@ table { border-collapse: collapse; width: 100%; } th, td { padding: 3px 8px; bor
 th { font-weight: 400; text-align: left; color: var(--soft); } td { text-align: right; font-variant-numeric: tabular-nums; }
 .numbers td { width: 45%; } .paper tr:first-of-type th:not(:first-child) { text-align: right; }
 .sweep { background: var(--card); margin-bottom: 18px; font-size: 13px; } .sweep th, .sweep td { padding: 3px 5px; }
-.sweep td { white-space: nowrap; } .sweep tr:first-of-type th:not(:first-child) { text-align: right; }
+.wide { overflow-x: auto; } .sweep td { white-space: nowrap; } .sweep tr:first-of-type th:not(:first-child) { text-align: right; }
 .paper { background: var(--card); } .ours th, .ours td { font-weight: 600; color: var(--ink); }
 pre { background: var(--card); padding: 12px; overflow-x: auto; border-radius: 6px; font-size: 13px; }
 )css";

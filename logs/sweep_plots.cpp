@@ -26,7 +26,7 @@ SvgFigure OverTime(const SweepResults& results, const SweepWorld& world, const s
     for (const SweepRun* run : RunsOf(results, world.name, variant.name))
       if (const auto found = run->over_time.find(column); found != run->over_time.end())
         series.push_back(&found->second);
-    if (!series.empty()) curves.push_back({variant.title, MeanOverTime(series, kInstants), colour});
+    if (!series.empty()) curves.push_back({variant.name, MeanOverTime(series, kInstants), colour});
     ++colour;
   }
   return LineFigure({world.title + ": " + column + ", mean over seeds", "mission time [s]", column}, curves);
@@ -63,7 +63,7 @@ SvgFigure ByVariant(const SweepResults& results, const SweepWorld& world, const 
   for (const SweepVariant& variant : results.plan.variants) {
     const std::vector<double> values = ValuesOf(RunsOf(results, world.name, variant.name), column);
     const Summary s = Summarise(values);
-    if (!values.empty()) rows.push_back({variant.title, values, s.mean, s.half_width, colour});
+    if (!values.empty()) rows.push_back({variant.name, values, s.mean, s.half_width, colour});
     ++colour;
   }
   return IntervalFigure(world.title + ": " + HeadOf(column), HeadOf(column), rows,

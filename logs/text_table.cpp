@@ -96,7 +96,8 @@ std::string ToLatex(const TextTable& table) {
 }
 
 std::string ToHtml(const TextTable& table) {
-  std::string html = "<table class=\"sweep\"><caption>" + Escape(table.caption) + "</caption><tr>";
+  std::string html =
+      "<div class=\"wide\"><table class=\"sweep\"><caption>" + Escape(table.caption) + "</caption><tr>";
   for (const std::string& cell : table.head) html += "<th>" + Escape(cell) + "</th>";
   html += "</tr>";
   for (const TextTable::Row& row : table.rows) {
@@ -108,7 +109,7 @@ std::string ToHtml(const TextTable& table) {
           (i == 0 ? "</th>" : "</td>");
     html += "</tr>";
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 std::string ToPlain(const TextTable& table) {

@@ -77,16 +77,17 @@ std::vector<EndedJob> ReadJobLog(const std::string& text) {
     for (std::string field; std::getline(in, field, '\t');) fields.push_back(field);
     if (fields.size() < kJobLogFields) continue;
     const std::size_t sequence = std::strtoul(fields[0].c_str(), nullptr, 10);
+    const double start_s = std::strtod(fields[2].c_str(), nullptr);
     const double wall_s = std::strtod(fields[3].c_str(), nullptr);
     const int exit_code = std::atoi(fields[6].c_str()), signal = std::atoi(fields[7].c_str());
-    if (sequence > 0) ended.push_back({sequence - 1, signal > 0 ? 128 + signal : exit_code, wall_s});
+    if (sequence > 0) ended.push_back({sequence - 1, signal > 0 ? 128 + signal : exit_code, start_s, wall_s});
   }
   return ended;
 }
 
 bool RunInParallel(const std::vector<SweepJob>& jobs, const ParallelOptions& options,
                    const std::function<void(const EndedJob&)>& on_end) {
-  const fs::path list = fs::path(options.folder) / "jobs.tsv", log = fs::path(options.folder) / "joblog.tsv";
+  const fs::path list = fs::path(options.folder) / "jobs.tsv", log = fs::path(options.folder) / kJobLog;
   WriteJobList(jobs, options, list);
   fs::remove(log);
   Supervisor supervisor(options.folder);

@@ -12,8 +12,11 @@ namespace citrine {
 struct EndedJob {
   std::size_t index = 0;  ///< in the list of jobs
   int exit_code = 0;
-  double wall_s = 0;
+  double start_s = 0, wall_s = 0;  ///< on the host's clock
 };
+
+/// GNU Parallel's job log, in the folder of ParallelOptions.
+inline constexpr const char* kJobLog = "joblog.tsv";
 
 struct ParallelOptions {
   std::string folder;   ///< for the job list and what GNU Parallel says

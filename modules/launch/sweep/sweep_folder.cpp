@@ -1,10 +1,12 @@
 #include "modules/launch/sweep/sweep_folder.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "core/digest.h"
 #include "logs/number_text.h"
@@ -13,6 +15,7 @@
 #include "logs/sweep_plots.h"
 #include "logs/sweep_tables.h"
 #include "modules/launch/project.h"
+#include "modules/launch/sweep/parallel_runs.h"
 #include "modules/mission_report/ground_truth.h"
 
 namespace citrine {
@@ -70,21 +73,35 @@ std::string ScoringNote(const logs::SweepResults& results) {
          std::to_string(GroundTruth::kSeed) + ".";
 }
 
+/// How long the last call of the sweep took to fly; empty if it flew nothing.
+std::string DurationNote(const std::string& sweep_folder) {
+  const std::vector<EndedJob> ended = ReadJobLog(ReadText(fs::path(sweep_folder) / kJobLog));
+  if (ended.empty()) return "";
+  double begin_s = ended[0].start_s, end_s = 0, work_s = 0;
+  for (const EndedJob& job : ended) {
+    begin_s = std::min(begin_s, job.start_s);
+    end_s = std::max(end_s, job.start_s + job.wall_s);
+    work_s += job.wall_s;
+  }
+  return "The last call flew and scored " + std::to_string(ended.size()) + " missions in " +
+         logs::Fixed((end_s - begin_s) / 60, 1) + " minutes, " + logs::Fixed(work_s / (end_s - begin_s), 1) +
+         " at a time on average, on a machine of " + std::to_string(std::thread::hardware_concurrency()) +
+         " cores.";
+}
+
 void AddNotes(const Sweep& sweep, logs::SweepResults& results) {
   std::map<std::string, std::set<std::string>> hashes_by_world;
   std::set<std::string> commits, builds;
-  double wall_s = 0;
   for (const logs::SweepRun& run : results.runs) {
     hashes_by_world[run.world].insert(run.metrics.world_hash.value_or("unknown"));
     commits.insert(run.metrics.commit.value_or("unknown"));
-    wall_s += run.metrics.wall_time_s.value_or(0);
   }
   for (const SweepJob& job : sweep.jobs)
     if (const std::string text = ReadText(Place(job) / "job.txt"); !text.empty())
       builds.insert(text.substr(text.find('\n') + 1, std::string::npos));
   results.notes.push_back(std::to_string(results.runs.size()) + " of " + std::to_string(sweep.jobs.size()) +
-                          " missions are finished; commit " + Joined(commits) + "; " +
-                          logs::Fixed(wall_s / 60, 1) + " minutes of one core for their flights.");
+                          " missions are finished; commit " + Joined(commits) + ".");
+  if (const std::string note = DurationNote(sweep.folder); !note.empty()) results.notes.push_back(note);
   if (builds.size() > 1)
     results.notes.push_back("The missions were flown by " + std::to_string(builds.size()) +
                             " different builds.");

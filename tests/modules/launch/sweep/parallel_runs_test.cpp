@@ -83,6 +83,7 @@ TEST(JobLog, IsReadLineByLineAndOneCutShortIsLeft) {
   EXPECT_EQ(ended[0].index, 1u);
   EXPECT_EQ(ended[0].exit_code, 3);
   EXPECT_DOUBLE_EQ(ended[0].wall_s, 18.079);
+  EXPECT_DOUBLE_EQ(ended[0].start_s, 1795692709.831);
   EXPECT_EQ(ended[1].exit_code, 128 + 15);
   EXPECT_TRUE(ReadJobLog("").empty());
   EXPECT_TRUE(ReadJobLog(head).empty());

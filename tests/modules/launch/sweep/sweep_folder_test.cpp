@@ -71,12 +71,16 @@ TEST_F(SweepFolder, HalfAResultIsNone) {
 TEST_F(SweepFolder, TablesTellOfWhatIsFinishedSoFar) {
   for (std::size_t i = 0; i < 3; ++i)
     Fly(sweep_.jobs[i], i == 2 ? "b2" : "b1", "surface_complete", 50.0 + static_cast<double>(i));
+  std::ofstream(sweep_.folder + "/joblog.tsv") << "Seq\tHost\n"
+                                                  "1\t:\t1000.0\t 90.0\t0\t0\t0\t0\tx\n"
+                                                  "2\t:\t1000.5\t119.5\t0\t0\t0\t0\tx\n";
   const logs::SweepResults results = ReadResults(sweep_);
   ASSERT_EQ(results.runs.size(), 3u);
   EXPECT_EQ(results.runs[1].metrics.makespan_m, 51);
   EXPECT_EQ(results.runs[1].over_time.at("voxels_at_goal").front().second, 10);
   EXPECT_THAT(results.notes, Contains(HasSubstr("3 of 4 missions are finished")));
   EXPECT_THAT(results.notes, Contains(HasSubstr("2 different builds")));
+  EXPECT_THAT(results.notes, Contains(HasSubstr("flew and scored 2 missions in 2.0 minutes, 1.7 at a time")));
   EXPECT_THAT(results.notes, Contains(HasSubstr("world hash abad1dea")));
   EXPECT_THAT(results.notes, Contains(HasSubstr("= 0.3062 m; true surface clipped")));
   WriteTables(sweep_, results);
