@@ -1,5 +1,6 @@
 #include "fusion/map_fuser.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/digest.h"
@@ -18,6 +19,13 @@ void MapFuser::Integrate(const LidarScan& scan) {
   const std::vector<int> changed = integrator_.Integrate(scan);
   for (int block : changed) touched_[block] = 1;
   integrations_ += !changed.empty();
+}
+
+void MapFuser::Restore(TsdfMap saved, std::int64_t integrations) {
+  map_ = std::move(saved);
+  integrations_ = std::max<std::int64_t>(integrations, 1);
+  for (int block = 0; block < map_.grid().num_blocks(); ++block)
+    touched_[block] = map_.Find(block) != nullptr;
 }
 
 std::vector<int> MapFuser::TakeChanged() {

@@ -20,6 +20,11 @@ class MapFuser {
 
   void Integrate(const LidarScan& scan);
 
+  /// Goes on from a map of the same grid, before the first scan: all of it is yet to be said, in versions
+  /// newer than those it was said in.
+  void Restore(TsdfMap saved, std::int64_t integrations);
+
+  std::int64_t integrations() const { return integrations_; }
   /// Full map.
   const TsdfMap& map() const { return map_; }
   /// Version of the map as it has been said: grows whenever a block's codes do.

@@ -47,6 +47,12 @@ class TsdfMap {
   TsdfBlock* Find(int block) { return blocks_[block].get(); }
   TsdfBlock& Allocate(int block);
 
+  /// Takes a block over as it was saved.
+  void Restore(int block, const TsdfBlock& saved, std::uint32_t version) {
+    Allocate(block) = saved;
+    version_[block] = version;
+  }
+
   /// Counts up whenever a scan changed the block; 0: never.
   std::uint32_t version(int block) const { return version_[block]; }
   void MarkChanged(int block) { ++version_[block]; }

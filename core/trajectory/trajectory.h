@@ -41,6 +41,12 @@ struct Trajectory {
   TrajectoryPoint At(Utime time) const;
 };
 
+/// Whether `a` is newer than `b` of the same UAV: by id, or, of a smoother that was started again and counts
+/// anew, by start. One that is repeated or late is not.
+inline bool Supersedes(const Trajectory& a, const Trajectory& b) {
+  return a.id > b.id || (a.id < b.id && a.start > b.start);
+}
+
 /// A trajectory that stands still at one point.
 Trajectory Hover(const Eigen::Vector3d& p_W, double yaw_rad, Utime start);
 

@@ -9,6 +9,7 @@
 
 #include "modules/channels.h"
 #include "modules/codec/clock.h"
+#include "modules/launch/port_holder.h"
 #include "modules/runtime/stopwatch.h"
 
 namespace citrine {
@@ -53,6 +54,12 @@ std::string ReadAll(int pipe) {
 }
 
 }  // namespace
+
+std::string DeafBus(const std::string& url) {
+  const std::string holder = HolderOfPort(url);
+  return "the bus " + url + " is deaf: UDP port " + std::to_string(PortOf(url)) + " is held by " +
+         (holder.empty() ? "another program (sudo ss -ulpn names it)" : holder);
+}
 
 BusCheck CheckBus(const std::string& url, double listen_s) {
   int pipe[2];

@@ -14,6 +14,9 @@ struct BusCheck {
 /// Listens for `listen_s`, in a child process that leaves no thread, socket or warning of LCM's behind.
 BusCheck CheckBus(const std::string& url, double listen_s);
 
+/// What to say of a bus that does not hear itself: who holds its port, if that can be seen.
+std::string DeafBus(const std::string& url);
+
 /// The commands that mend it, for messages to the user.
 inline constexpr const char* kRouteMulticast =
     "sudo ip link set lo multicast on && sudo ip route add 224.0.0.0/4 dev lo";

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "modules/launch/commands.h"
 #include "modules/launch/network_isolation.h"
 #include "modules/launch/project.h"
+#include "modules/launch/spy_parts.h"
 #include "modules/runtime/transport.h"
 
 namespace citrine {
@@ -50,9 +52,7 @@ void LookAtBus(Findings& findings) {
   const std::string url = DefaultBusUrl();
   const BusCheck bus = CheckBus(url, kListen_s);
   if (!bus.opens) return findings.Fail("no multicast route: modules cannot hear each other", kRouteMulticast);
-  if (!bus.hears_itself)
-    return findings.Fail("the bus " + url + " is deaf: another program holds its port (ss -ulpn names it)",
-                         kAnotherPort);
+  if (!bus.hears_itself) return findings.Fail(DeafBus(url), kAnotherPort);
   findings.Ok("the bus " + url + " hears itself");
   if (bus.other_mission.empty())
     findings.Ok("no other mission is on it");
@@ -60,6 +60,7 @@ void LookAtBus(Findings& findings) {
     findings.Warn("another mission, " + bus.other_mission + ", is on the bus", kAnotherPort);
 }
 
+/// Java's tools never ask for a larger buffer, so that the default counts as well.
 void LookAtReceiveBuffer(Findings& findings) {
   long limit = 0;
   std::ifstream("/proc/sys/net/core/rmem_max") >> limit;
@@ -85,6 +86,29 @@ void LookAtIsolation(Findings& findings) {
                   "sudo sysctl -w kernel.unprivileged_userns_clone=1");
 }
 
+void LookAtSpy(Findings& findings) {
+  const SpyParts spy = FindSpyParts();
+  if (!spy.missing.empty())
+    findings.Warn("spy: " + spy.missing.substr(0, spy.missing.find('\n')),
+                  "./citrine spy installs and builds it; ./citrine top needs neither");
+  else if (!spy.stale.empty())
+    findings.Warn("spy: " + spy.stale.substr(0, spy.stale.find('\n')), "./citrine spy builds it anew");
+  else
+    findings.Ok("lcm-spy: java, its charts, and " + spy.jar);
+}
+
+void LookAtDisk(Findings& findings) {
+  constexpr std::uintmax_t kWanted_MB = 1000;
+  std::error_code unknown;
+  const std::uintmax_t free_MB = std::filesystem::space(".", unknown).available / 1'000'000;
+  if (unknown || free_MB >= kWanted_MB)
+    findings.Ok("disk: " + std::to_string(free_MB) + " MB free here, for logs");
+  else
+    findings.Warn("disk: " + std::to_string(free_MB) + " MB free here; a long mission's log takes more",
+                  "./citrine run MISSION --out DIR on another disk, or --set launch.log_split_mb=50 --set "
+                  "launch.log_keep=2");
+}
+
 void LookAtDisplay(Findings& findings) {
   if (std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"))
     findings.Ok("a display for --view");
@@ -102,6 +126,8 @@ int Doctor() {
   LookAtReceiveBuffer(findings);
   LookAtIsolation(findings);
   LookAtDisplay(findings);
+  LookAtSpy(findings);
+  LookAtDisk(findings);
   return findings.failed() ? kSetUpProblem : kCompleted;
 }
 

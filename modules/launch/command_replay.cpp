@@ -40,9 +40,7 @@ int PlayOnBus(const RecordedMission& mission, double speed) {
   const std::string url = DefaultBusUrl();
   const BusCheck bus = CheckBus(url, kListen_s);
   if (!bus.opens) throw std::runtime_error(std::string("no multicast route.\n  mend: ") + kRouteMulticast);
-  if (!bus.hears_itself)
-    throw std::runtime_error("the bus " + url +
-                             " is deaf: another program holds its port.\n  mend: " + kAnotherPort);
+  if (!bus.hears_itself) throw std::runtime_error(DeafBus(url) + ".\n  mend: stop it, or " + kAnotherPort);
   if (!bus.other_mission.empty())
     throw std::runtime_error("another mission, " + bus.other_mission + ", is on the bus " + url +
                              ".\n  mend: wait for its end, or " + kAnotherPort);

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/config/config_file.h"
 #include "modules/launch/commands.h"
@@ -56,6 +57,7 @@ int RunMission(const RunOptions& asked) {
   std::optional<std::string> bus;
   if (!WantsOneProcess(options)) {
     bus = ChooseBus(options.isolate);
+    if (!bus && options.by_hand) throw std::runtime_error("without a bus no module can be started by hand");
     if (!bus) options.overrides.emplace_back("launch.in_process=true");
   }
   const ResolvedMission mission = ResolveMission(options);
@@ -64,7 +66,7 @@ int RunMission(const RunOptions& asked) {
   const std::string file = PrepareResultFolder(mission);
   std::fprintf(stderr, "citrine: %s, %d UAVs; results in %s\n", mission.flown.mission_id.c_str(),
                mission.config.mission.uavs, mission.config.launch.out.c_str());
-  const Flight flight = bus ? FlyInProcesses(mission, file, *bus) : FlyInProcess(mission);
+  const Flight flight = bus ? FlyInProcesses(mission, file, *bus, options.by_hand) : FlyInProcess(mission);
   running.reset();
   std::fprintf(stderr, "citrine: %s; writing the report\n", flight.stop_reason.c_str());
   const logs::Metrics metrics = ReportOn(mission, flight);

@@ -27,6 +27,12 @@ struct EchoOptions {
   bool json = false;    ///< one line of JSON a message
 };
 
+struct SpyOptions {
+  SourceOptions source;
+  std::string screenshot;         ///< a PNG of the screen, after which it ends; empty: none
+  double screenshot_after_s = 5;  ///< of the wall
+};
+
 /// What `log cut` keeps.
 struct CutOptions {
   std::string log, to;
@@ -50,6 +56,8 @@ int CompareResults(const std::string& a, const std::string& b);
 /// @param seconds to listen before it prints once; 0: redrawn until Ctrl-C on a terminal
 int Top(const SourceOptions& source, double seconds);
 int EchoChannel(const EchoOptions& options);
+/// Becomes lcm-spy; comes back by an exception alone.
+int Spy(const SpyOptions& options);
 int LogInfo(const std::string& log);
 int LogCheck(const std::string& log);
 int LogCut(const CutOptions& options);

@@ -42,9 +42,16 @@ struct RunCommand {
         ->type_name("1|N|max");
     auto* in_process_flag =
         app.add_flag("--in-process", in_process, "All modules in one process, in lockstep");
-    app.add_flag("--isolate", options.isolate, "In a private network")->excludes(in_process_flag);
+    auto* isolate_flag =
+        app.add_flag("--isolate", options.isolate, "In a private network")->excludes(in_process_flag);
+    app.add_flag("--by-hand", options.by_hand,
+                 "Record and report; the modules are started from other terminals")
+        ->excludes(in_process_flag)
+        ->excludes(isolate_flag);
     app.add_option("--world", options.world, "Another world than the mission's: SDFormat or a mesh")
         ->type_name("FILE");
+    app.add_option("--map", options.map, "Go on from the map of an earlier mission over the same volume")
+        ->type_name("DIR");
     app.add_option("--out", out, "Result folder; default results/<mission>-<strategy>-<seed>")
         ->type_name("DIR");
     app.add_flag("--view", view, "Show the top-down picture in a window");

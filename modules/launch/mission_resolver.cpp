@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/config/config_file.h"
+#include "modules/codec/saved_map.h"
 #include "modules/launch/mission_file.h"
 #include "modules/launch/project.h"
 #include "modules/runtime/module_id.h"
@@ -29,6 +30,17 @@ void TakeWorld(const RunOptions& options, const MissionFile& file, MissionSectio
   }
   if (mission.world.empty()) throw ConfigError(file.path + ": mission.world: missing, and no --world");
   mission.world = FindWorldFile(mission.world, file.path);
+}
+
+/// The map that the mission goes on from; one that does not fit is refused here, before anybody flies.
+void TakeMap(const RunOptions& options, MissionConfig& config) {
+  namespace fs = std::filesystem;
+  if (!options.map.empty())
+    config.map.start =
+        fs::is_directory(options.map) ? (fs::path(options.map) / "map.tsdf").string() : options.map;
+  if (config.map.start.empty()) return;
+  config.map.start = fs::absolute(config.map.start).lexically_normal();
+  ReadSavedMap(config.map.start, config);
 }
 
 void PlaceInWorld(MissionConfig& config) {
@@ -58,6 +70,7 @@ ResolvedMission ResolveMission(const RunOptions& options) {
   if (config.launch.out.empty()) config.launch.out = "results/" + MissionId(config);
   config.launch.out = std::filesystem::absolute(config.launch.out).lexically_normal();
   PlaceInWorld(config);
+  TakeMap(options, config);
   resolved.toml = ToToml(config);
   const SourceVersion version = ReadSourceVersion();
   resolved.flown = {MissionId(config), resolved.toml, options.overrides, version.commit, version.dirty};

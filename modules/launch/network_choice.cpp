@@ -37,8 +37,8 @@ std::optional<std::string> ChooseBus(bool isolate) {
     return PrivateBus();
   }
   if (!bus.hears_itself)
-    throw std::runtime_error("the bus " + url + " is deaf: another program holds its port.\n  mend: " +
-                             kAnotherPort + "\n  or fly on a private network: --isolate");
+    throw std::runtime_error(DeafBus(url) + ".\n  mend: stop it, or " + kAnotherPort +
+                             "\n  or fly on a private network: --isolate");
   if (!bus.other_mission.empty())
     throw std::runtime_error("another mission, " + bus.other_mission + ", is on the bus " + url +
                              ".\n  mend: wait for its end, or " + kAnotherPort +

@@ -26,12 +26,20 @@ constexpr double kRecorderReady_s = 5;  ///< the recorder's own test of the bus 
 constexpr double kReplyToInterrupt_s = 20;
 constexpr double kWriteResults_s = 120;  ///< a mesh of a large world takes its time
 constexpr double kObey_s = 5;
+constexpr double kSilence_s = 5;    ///< of the wall, without CLOCK, before somebody is told why
+constexpr double kFarewell_s = 30;  ///< in which modules that were started by hand have written their results
+
+/// As a shell takes it for one word.
+std::string Quoted(const std::string& word) {
+  return word.find_first_of(" &'?*()") == std::string::npos ? word : "'" + word + "'";
+}
 
 /// The mission's processes, from their start until the last of them has left.
 class ProcessFlight {
  public:
-  ProcessFlight(const ResolvedMission& mission, const std::string& logs_folder, const std::string& url)
-      : flown_(mission.flown), supervisor_(logs_folder), bus_(url), progress_(stderr) {
+  ProcessFlight(const ResolvedMission& mission, const std::string& logs_folder, const std::string& url,
+                bool by_hand)
+      : flown_(mission.flown), by_hand_(by_hand), supervisor_(logs_folder), bus_(url), progress_(stderr) {
     view_.mission_id = mission.flown.mission_id;
     view_.uavs.resize(static_cast<std::size_t>(mission.config.mission.uavs));
     bus_.HearBytes(MissionView::kChannels, [this](const std::string& channel, const void* bytes, int size) {
@@ -53,14 +61,41 @@ class ProcessFlight {
     for (const ProcessSpec& module : modules) supervisor_.Start(module);
   }
 
+  /// Says how each module is started, and waits for those who do not end with the mission's last step.
+  void LetOthersStart(const std::vector<ProcessSpec>& modules) {
+    std::string text =
+        "citrine: recording. Start each of these in a terminal of its own, in any order; one that ends can "
+        "be "
+        "started again:\n";
+    for (const ProcessSpec& module : modules) {
+      waited_for_.insert(module.name);
+      text += " ";
+      for (const std::string& argument : module.arguments) text += " " + Quoted(argument);
+      text += "\n";
+    }
+    std::fputs(text.c_str(), stderr);
+    bus_.HearBytes(channels::kModuleHealth.name, [this](const std::string&, const void* bytes, int size) {
+      citrine_lcm::module_health_t health{};
+      try {
+        if (health.decode(bytes, 0, size) != size || health.state != citrine_lcm::module_health_t::DONE)
+          return;
+      } catch (const std::exception&) {
+        return;  // whoever it was has not said that it is done
+      }
+      if (view_.done()) waited_for_.erase(health.module + (health.uav > 0 ? std::to_string(health.uav) : ""));
+    });
+  }
+
   /// Looks on until the mission is over.
   void Watch() {
     bool told = false;
     Stopwatch since_told;
-    while (!view_.done() && !death_ && supervisor_.runs(kTimeOwner)) {
+    while (!view_.done() && !death_ && (by_hand_ || supervisor_.runs(kTimeOwner))) {
       Look();
       progress_.Show(view_);
       NoteDepartures();
+      NoteSilence();
+      if (by_hand_ && Interrupts() > 0) return;
       if (Interrupts() > 1) return supervisor_.SignalAllBut(kRecorder, SIGKILL);
       if (Interrupts() > 0 && !told) {
         told = true;
@@ -73,6 +108,9 @@ class ProcessFlight {
 
   /// Lets everybody write what is to be written; then the recorder closes the log.
   void WindDown() {
+    for (const Stopwatch since; by_hand_ && view_.done() && !waited_for_.empty() && Interrupts() == 0 &&
+                                since.ms() < kFarewell_s * 1e3;)
+      Look();
     if (!supervisor_.runs(kTimeOwner) && !view_.done())
       supervisor_.SignalAllBut(kRecorder, SIGTERM);  // nobody will tell them that the mission is over
     else if (death_)
@@ -131,7 +169,32 @@ class ProcessFlight {
     }
   }
 
+  /// Says once who keeps the mission waiting, in the words of the owner of time.
+  void NoteSilence() {
+    if (by_hand_ || !view_.clock) return;
+    if (view_.clock->step != silent_step_) {
+      silent_step_ = view_.clock->step;
+      since_step_ = Stopwatch();
+      said_silent_ = false;
+    }
+    if (said_silent_ || since_step_.ms() < kSilence_s * 1e3) return;
+    const std::string words = supervisor_.LastWords(kTimeOwner, 1);
+    if (words.empty()) return;  // it is about to say so
+    said_silent_ = true;
+    progress_.Finish();
+    std::fprintf(
+        stderr,
+        "citrine: nothing has happened for %.0f s of wall time; Ctrl-C ends the mission with its results\n%s",
+        kSilence_s, words.c_str());
+  }
+
   MissionConfigText flown_;
+  bool by_hand_;
+  std::set<std::string>
+      waited_for_;  ///< modules that are started by hand and have not said that they are done
+  std::int64_t silent_step_ = -1;
+  bool said_silent_ = false;
+  Stopwatch since_step_;
   Supervisor supervisor_;
   Bus bus_;
   Every say_config_{kConfigPeriod_s};
@@ -142,8 +205,8 @@ class ProcessFlight {
 
 }  // namespace
 
-Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission_file,
-                      const std::string& url) {
+Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission_file, const std::string& url,
+                      bool by_hand) {
   const std::filesystem::path out = mission.config.launch.out;
   const std::filesystem::path logs = out / "logs", recorded = out / "recorded.lcmlog";
   std::filesystem::create_directories(logs);
@@ -151,9 +214,13 @@ Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission
   const LogSplit split = SplitOf(mission.config.launch);
   Flight flight;
   {
-    ProcessFlight processes(mission, logs, url);
+    ProcessFlight processes(mission, logs, url, by_hand);
     processes.StartRecorder(RecorderProcess(url, recorded, split));
-    processes.Start(ModuleProcesses(mission.config, mission_file, url));
+    const std::vector<ProcessSpec> modules = ModuleProcesses(mission.config, mission_file, url);
+    if (by_hand)
+      processes.LetOthersStart(modules);
+    else
+      processes.Start(modules);
     processes.Watch();
     flight.wall_time_s = stopwatch.ms() / 1e3;
     processes.WindDown();

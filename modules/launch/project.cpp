@@ -37,11 +37,18 @@ SourceVersion ReadSourceVersion() {
 
 std::string MissingPackages() {
   std::ifstream in(ProjectFolder() / "packages.txt");
+  std::vector<std::string> packages;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line.front() != '#') packages.push_back(line);
+  return MissingPackages(packages);
+}
+
+std::string MissingPackages(const std::vector<std::string>& packages) {
   std::string missing;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line.front() == '#') continue;
-    const std::string status = OutputOf("dpkg-query -W -f '${db:Status-Status}' '" + line + "' 2>/dev/null");
-    if (status != "installed") missing += (missing.empty() ? "" : " ") + line;
+  for (const std::string& package : packages) {
+    const std::string status =
+        OutputOf("dpkg-query -W -f '${db:Status-Status}' '" + package + "' 2>/dev/null");
+    if (status != "installed") missing += (missing.empty() ? "" : " ") + package;
   }
   return missing;
 }

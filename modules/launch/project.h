@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace citrine {
 
@@ -17,5 +18,7 @@ SourceVersion ReadSourceVersion();
 
 /// Those of the project's packages.txt that are not installed, separated by spaces.
 std::string MissingPackages();
+/// The same of these.
+std::string MissingPackages(const std::vector<std::string>& packages);
 
 }  // namespace citrine

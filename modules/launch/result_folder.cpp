@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -21,6 +22,28 @@ bool IsOldResult(const fs::path& path) {
          (path.extension() == ".tum" && name.starts_with("uav"));
 }
 
+/// Bytes that a log may take until the time limit; less if it is split and old parts go.
+double LargestLog_bytes(const MissionConfig& config) {
+  constexpr double kUav_bytesps = 200e3;  // scans of 32 x 512 beams, the map's share and all the rest
+  const LaunchSection& launch = config.launch;
+  const double whole = kUav_bytesps * config.mission.uavs * config.mission.time_limit_s;
+  const bool bounded = launch.log_split_mb > 0 && launch.log_keep > 0;
+  return bounded ? std::min(whole, launch.log_split_mb * 1e6 * (launch.log_keep + 1)) : whole;
+}
+
+/// Recorded and put in order, a log is there twice for a moment.
+void WarnOfTheDisk(const MissionConfig& config) {
+  std::error_code unknown;
+  const double free_bytes = static_cast<double>(fs::space(config.launch.out, unknown).available);
+  const double needed_bytes = LargestLog_bytes(config) * (config.launch.in_process ? 1 : 2);
+  if (unknown || free_bytes >= needed_bytes) return;
+  std::fprintf(
+      stderr,
+      "citrine: disk: %.0f MB free in %s; the log may take %.0f MB until the time limit\n  mend: --out DIR "
+      "on another disk, or --set launch.log_split_mb=50 --set launch.log_keep=2\n",
+      free_bytes / 1e6, config.launch.out.c_str(), needed_bytes / 1e6);
+}
+
 }  // namespace
 
 std::string PrepareResultFolder(const ResolvedMission& mission) {
@@ -34,6 +57,7 @@ std::string PrepareResultFolder(const ResolvedMission& mission) {
     while (!LogFiles(out / log).empty())  // one file, and then parts, should there be both
       for (const std::string& part : LogFiles(out / log)) fs::remove(part);
 
+  WarnOfTheDisk(mission.config);
   const fs::path file = out / "mission.toml";
   std::ofstream text(file);
   text << mission.toml << std::flush;

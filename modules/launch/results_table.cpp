@@ -39,7 +39,11 @@ std::string ResultsTable(const logs::Metrics& metrics, const std::string& out) {
   text += Row("collisions", (metrics.collisions ? std::to_string(*metrics.collisions) : "-") +
                                 ", nearest obstacle " + Number(metrics.min_obstacle_clearance_m, " m", 2) +
                                 ", nearest UAV " + Number(metrics.min_uav_separation_m, " m", 2));
-  text += Row("messages lost", metrics.messages_lost ? std::to_string(*metrics.messages_lost) : "-");
+  text += Row("messages lost", !metrics.messages_lost ? "-"
+                               : *metrics.messages_lost > 0
+                                   ? std::to_string(*metrics.messages_lost) +
+                                         ": a slow host or a small buffer, see ./citrine doctor"
+                                   : "0");
   text += Row("log digest", metrics.log_digest.value_or("-"));
   for (const char* file :
        {"report.html", "metrics.json", "mesh.ply", "topdown.png", "topdown.mp4", "mission.lcmlog"})

@@ -30,6 +30,18 @@ void AddTop(CLI::App& app, int& exit_code) {
   top->final_callback([=, &exit_code] { exit_code = Top(*source, *seconds); });
 }
 
+void AddSpy(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SpyOptions>();
+  CLI::App* spy = app.add_subcommand("spy", "lcm-spy with this project's types, and the mission from above");
+  AddBus(*spy, options->source);
+  auto* screenshot =
+      spy->add_option("--screenshot", options->screenshot, "Save the screen and end")->type_name("FILE.png");
+  spy->add_option("--after", options->screenshot_after_s, "Seconds before that; 5 by default")
+      ->check(CLI::PositiveNumber)
+      ->needs(screenshot);
+  spy->final_callback([=, &exit_code] { exit_code = Spy(*options); });
+}
+
 void AddEcho(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<EchoOptions>();
   CLI::App* echo = app.add_subcommand("echo", "Messages of a channel, decoded, from a bus or a log");
@@ -68,6 +80,7 @@ void AddLog(CLI::App& app, int& exit_code) {
 }  // namespace
 
 void AddWatchCommands(CLI::App& app, int& exit_code) {
+  AddSpy(app, exit_code);
   AddTop(app, exit_code);
   AddEcho(app, exit_code);
   AddLog(app, exit_code);

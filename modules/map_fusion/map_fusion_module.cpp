@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "modules/codec/map_summary.h"
 #include "modules/codec/mission_progress.h"
 #include "modules/codec/octree.h"
+#include "modules/codec/saved_map.h"
 #include "modules/codec/uav_state.h"
 #include "modules/runtime/stopwatch.h"
 
@@ -25,6 +27,7 @@ namespace citrine {
 namespace {
 
 constexpr double kProgress_hz = 2;
+constexpr const char* kSavedMap = "/map.tsdf";
 constexpr int kBlockMessagesAStep =
     2;  // pace: of at most 33 kB each, so that default receive buffers hold them
 
@@ -52,6 +55,7 @@ MapFusionModule::MapFusionModule(const ModuleContext& context)
       fleet_statuses_(bus_.HearAll(channels::kFleetStatus)),
       publish_(1 / config_.map.publish_hz),
       progress_(1 / kProgress_hz) {
+  GoOnFromSavedMap();
   if (config_.map.octree_hz > 0) say_octree_.emplace(1 / config_.map.octree_hz);
 }
 
@@ -64,6 +68,15 @@ void MapFusionModule::Tick(const Step& step) {
   SayQueued();
   if (progress_.Due(step.now)) SayProgress();
   if (step.last) WriteResults();
+}
+
+/// What it wrote itself, when it was stopped in the middle of this mission, comes first.
+void MapFusionModule::GoOnFromSavedMap() {
+  const std::string own = config_.launch.out.empty() ? "" : config_.launch.out + kSavedMap;
+  const std::string& path = !own.empty() && std::filesystem::exists(own) ? own : config_.map.start;
+  if (path.empty()) return;
+  SavedMap saved = ReadSavedMap(path, config_);
+  fuser_.Restore(std::move(saved.map), saved.integrations);
 }
 
 void MapFusionModule::HearFleet() {
@@ -151,6 +164,7 @@ void MapFusionModule::WriteResults() {
     const Stopwatch stopwatch;
     WritePly(config_.launch.out + "/mesh.ply", fusion::SurfaceMesh(fuser_.map()));
     health_.Sample("mesh_ms", stopwatch.ms());
+    WriteSavedMap(config_.launch.out + kSavedMap, fuser_.map(), fuser_.integrations(), config_);
     // What was fused since the last publication belongs to the octree, too.
     PlanningMap whole = hearer_->map();
     fuser_.TakeChanged();

@@ -18,7 +18,8 @@
 namespace citrine {
 
 /// The base station. Hears UAV*_LIDAR_SCAN (and where the UAVs are); says MAP_BLOCKS, MAP_SUMMARY, MAP_OCTREE
-/// and MISSION_PROGRESS; writes mesh.ply and map.bt when the mission is over.
+/// and MISSION_PROGRESS; writes mesh.ply, map.bt and map.tsdf when the mission is over, or it is told to end;
+/// started again in the same mission, it goes on from the latter.
 class MapFusionModule : public Module {
  public:
   static constexpr const char* kName = "map_fusion";
@@ -32,6 +33,7 @@ class MapFusionModule : public Module {
   void Tick(const Step& step) override;
 
  private:
+  void GoOnFromSavedMap();
   void HearFleet();
   void IntegrateScans();
   void QueueBlocks();

@@ -58,7 +58,7 @@ class RecordingBuilder {
     });
     said.On(channels::kTrajectory, [&](const auto& m) {
       Trajectory trajectory = Decode(m);
-      if (uav.trajectories.empty() || trajectory.id > uav.trajectories.back().id)
+      if (uav.trajectories.empty() || Supersedes(trajectory, uav.trajectories.back()))
         uav.trajectories.push_back(std::move(trajectory));
     });
   }

@@ -1,12 +1,14 @@
 #include "modules/mission_report/reconstruction.h"
 
 #include <map>
+#include <utility>
 
 #include "core/map/mission_grid.h"
 #include "fusion/map_fuser.h"
 #include "fusion/surface_mesh.h"
 #include "fusion/teammate_filter.h"
 #include "modules/codec/lidar_scan.h"
+#include "modules/codec/saved_map.h"
 #include "modules/codec/uav_state.h"
 #include "modules/mission_report/recorded_message.h"
 
@@ -16,6 +18,10 @@ TriMesh RebuildMesh(const std::vector<LogEvent>& events, const MissionConfig& co
   const auto policy = fusion::WeightPolicyOf(config.map.weight_policy);
   fusion::MapFuser fuser(MissionGrid(config), config.map.truncation_m, MissionQuantisation(config),
                          policy.value());
+  if (!config.map.start.empty()) {
+    SavedMap saved = ReadSavedMap(config.map.start, config);
+    fuser.Restore(std::move(saved.map), saved.integrations);
+  }
   std::map<int, Eigen::Vector3d> position_W_by_uav;
   for (const LogEvent& event : events) {
     const RecordedMessage said(event);

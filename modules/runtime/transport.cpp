@@ -40,7 +40,10 @@ Transport::~Transport() { lcm_destroy(lcm_); }
 
 void Transport::Send(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
   if (lcm_publish(lcm_, channel.c_str(), bytes.data(), static_cast<unsigned>(bytes.size())) != 0)
-    throw std::runtime_error("cannot say " + channel + " on the bus '" + url_ + "'");
+    throw std::runtime_error("cannot say " + channel + " on the bus '" + url_ + "'" +
+                             (url_.starts_with("tcpq")
+                                  ? "; start its broker first: java -cp lcm.jar lcm.lcm.TCPService PORT"
+                                  : ""));
 }
 
 std::unique_ptr<Transport::Subscription> Transport::Subscribe(const std::string& channel_regex, int queue,

@@ -78,7 +78,7 @@ void SceneHearer::HearStates() {
 void SceneHearer::HearPlans() {
   Hear(channels::kPath, *paths_, [](viz::SceneUav& uav, Path&& path) { uav.path = std::move(path); });
   Hear(channels::kTrajectory, *trajectories_, [](viz::SceneUav& uav, Trajectory&& trajectory) {
-    if (!uav.trajectory || trajectory.id > uav.trajectory->id) uav.trajectory = std::move(trajectory);
+    if (!uav.trajectory || Supersedes(trajectory, *uav.trajectory)) uav.trajectory = std::move(trajectory);
   });
   Hear(channels::kFleetStatus, *statuses_,
        [](viz::SceneUav& uav, const FleetStatus& status) { uav.status = status; });

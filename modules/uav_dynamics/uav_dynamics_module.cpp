@@ -35,7 +35,7 @@ UavDynamicsModule::UavDynamicsModule(const ModuleContext& context)
       localisation_noise_m_(context.config.uav.localisation_noise_m),
       fleet_(FleetOf(context.config)),
       end_(context.config.mission.uavs, context.config.mission.time_limit_s),
-      newest_trajectory_(static_cast<std::size_t>(fleet_.uavs()), 0),
+      newest_trajectory_(static_cast<std::size_t>(fleet_.uavs())),
       trajectories_(bus_.HearAll(channels::kTrajectory)),
       fleet_statuses_(bus_.HearAll(channels::kFleetStatus)),
       map_summaries_(bus_.Hear(channels::kMapSummary)) {
@@ -60,11 +60,11 @@ void UavDynamicsModule::Tick(const Step& step) {
 void UavDynamicsModule::HearTrajectories() {
   for (auto& [uav, message] : trajectories_->Take()) {
     if (uav < 1 || uav > fleet_.uavs()) continue;
-    std::int64_t& newest = newest_trajectory_[static_cast<std::size_t>(uav - 1)];
+    std::optional<Trajectory>& newest = newest_trajectory_[static_cast<std::size_t>(uav - 1)];
     try {
       Trajectory trajectory = Decode(message);
-      if (trajectory.id <= newest) continue;
-      newest = trajectory.id;
+      if (newest && !Supersedes(trajectory, *newest)) continue;
+      newest = trajectory;
       fleet_.Follow(uav, std::move(trajectory));
     } catch (const BadMessage& error) {
       bus_.Reject(channels::kTrajectory.Of(uav), error.what());

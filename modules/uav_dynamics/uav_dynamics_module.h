@@ -49,8 +49,8 @@ class UavDynamicsModule : public Module {
   MissionEnd end_;
   std::optional<std::string> stop_reason_;
   Utime simulated_ = 0;
-  std::vector<std::int64_t> newest_trajectory_;  ///< id, by UAV id - 1
-  std::vector<Random> localisation_;             ///< by UAV id - 1
+  std::vector<std::optional<Trajectory>> newest_trajectory_;  ///< by UAV id - 1
+  std::vector<Random> localisation_;                          ///< by UAV id - 1
   std::shared_ptr<Inbox<citrine_lcm::trajectory_t>> trajectories_;
   std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> fleet_statuses_;
   std::shared_ptr<Inbox<citrine_lcm::map_summary_t>> map_summaries_;

@@ -16,6 +16,8 @@ constexpr double kCommitHorizon_s = 6;  ///< in which a new trajectory must stay
 constexpr int kFailuresMax = 3;
 constexpr Utime kSample = 50'000, kInstant = 20'000;
 constexpr double kClearer_m = 0.01;
+constexpr double kAtRest_mps =
+    0.2;  ///< of one that takes over in flight: what was committed before ends at rest
 constexpr double kThere_m = 0.02;  ///< a path's end this near to where the UAV hovers is not worth a motion
 
 }  // namespace
@@ -44,7 +46,7 @@ void FlightExecutive::HearPath(const Path& path) {
 }
 
 void FlightExecutive::HearState(const UavState& state) {
-  if (committed_) return;
+  if (committed_ || state.v_W.norm() > kAtRest_mps) return;
   committed_ = Hover(state.X_WB.p, YawOf(state.X_WB.q), state.utime);
   committed_->id = ++trajectories_;
 }
@@ -55,7 +57,7 @@ void FlightExecutive::HearTeammate(int uav, const Trajectory& trajectory) {
                                   [uav](const Teammate& teammate) { return teammate.uav >= uav; });
   if (known == scene_.teammates.end() || known->uav != uav)
     scene_.teammates.insert(known, {uav, trajectory});
-  else if (trajectory.id > known->trajectory.id)
+  else if (Supersedes(trajectory, known->trajectory))
     known->trajectory = trajectory;
 }
 

@@ -37,7 +37,7 @@ class FlightExecutive {
   FlightExecutive(const FlightSettings& settings, const PlanningMap& map, SolveMotion solve);
 
   void HearPath(const Path& path);        ///< the newest; an id that is known is ignored
-  void HearState(const UavState& state);  ///< its own; the first says where it hovers
+  void HearState(const UavState& state);  ///< its own; the first at rest says where it hovers
   void HearScan(const LidarScan& scan) { guard_.HearScan(scan); }
   void HearTeammate(int uav, const Trajectory& trajectory);  ///< its committed one
   void HearTeammate(int uav, const UavState& state);  ///< where it hovers, until its trajectory is known

@@ -199,7 +199,8 @@ std::optional<Path> ViewPlanner::FindWay(const Start& start, const View& view,
 }
 
 void ViewPlanner::Commit(const Prospect& prospect, const View& view, Path path, Utime now) {
-  path.id = path_ ? path_->id + 1 : 1;
+  path.id =
+      1 + std::max(path_ ? path_->id : 0, flight_.path_id);  // started again, it goes on from what is flown
   path.goal_yaw_rad = view.yaw_rad;
   path.limits = config_.uav.limits;
   double length_m = 0;

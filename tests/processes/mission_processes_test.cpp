@@ -42,7 +42,7 @@ class MissionProcesses : public ::testing::Test {
   }
   void ExpectResults() const {
     for (const char* file : {"metrics.json", "mission.lcmlog", "mission.toml", "mesh.ply", "map.bt",
-                             "uav1.tum", "progress.csv", "topdown.png", "report.html"})
+                             "uav1.tum", "map.tsdf", "progress.csv", "topdown.png", "report.html"})
       EXPECT_TRUE(fs::exists(out_ / "run" / file)) << file;
   }
 
@@ -122,6 +122,33 @@ TEST_F(MissionProcesses, AreRecordedInPartsWhenTheyFlyForLong) {
   EXPECT_FALSE(fs::exists(out_ / "run/mission.lcmlog"));
   const CommandResult whole = RunCommandLine(Run("--in-process --set mission.time_limit_s=20", "whole"));
   EXPECT_EQ(Metrics(out_ / "run")["log_digest"], Metrics(out_ / "whole")["log_digest"]) << whole.output;
+}
+
+TEST_F(MissionProcesses, SayWhoKeepsThemWaiting) {
+  const CommandResult run = RunCommandLine(Run("--isolate --pace max --set quality.d_star_m=1") +
+                                           " & launch=$!; sleep 6; planner=$(pgrep -P $launch view_planner | "
+                                           "head -n 1); kill -STOP $planner; sleep 8; "
+                                           "kill -CONT $planner; sleep 1; kill -INT $launch; wait $launch");
+  EXPECT_EQ(run.exit_code, 130) << run.output;
+  EXPECT_THAT(run.output, ContainsRegex("nothing has happened for 5 s of wall time"));
+  EXPECT_THAT(run.output, ContainsRegex("uav_dynamics: step [0-9]+ waits for view_planner \\(UAV [12]\\)"));
+}
+
+TEST_F(MissionProcesses, GoOnFromTheMapOfAnEarlierMission) {
+  const CommandResult first = RunCommandLine(Run("--in-process", "first"));
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const CommandResult second =
+      RunCommandLine(Run("--isolate --pace max --map " + (out_ / "first").string(), "second"));
+  EXPECT_EQ(second.exit_code, 0) << second.output;
+  const auto before = Metrics(out_ / "first"), after = Metrics(out_ / "second");
+  EXPECT_LT(after["makespan_m"].get<double>(), 0.5 * before["makespan_m"].get<double>());
+  EXPECT_GT(after["coverage_pct"].get<double>(), before["coverage_pct"].get<double>() - 1);
+  const CommandResult other =
+      RunCommandLine(Run("--set map.voxel_m=0.3 --map " + (out_ / "first").string(), "other"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.output,
+              HasSubstr("this mission asks for volume [-7, -7, 0] to [7, 7, 8] m, voxel 0.3 m"));
+  EXPECT_EQ(RunCommandLine(Run("--map " + (out_ / "nowhere").string(), "other")).exit_code, 2);
 }
 
 TEST_F(MissionProcesses, LeaveNobodyBehindWhenTheLauncherIsKilled) {

@@ -103,6 +103,33 @@ TEST_F(MapFusion, FillsAHearerThatJoinsLate) {
   EXPECT_EQ(hearer_->map().Digest(), own_hearer_->map().Digest());
 }
 
+TEST_F(MapFusion, GoesOnFromTheMapThatItWroteWhenItWasStopped) {
+  hearer_ = std::make_shared<MapHearer>(config_, listener_);
+  Begin();
+  for (int k = 0; k < 60; ++k) Tick(true);
+  Tick(false, true);
+  const std::string mesh = config_.launch.out + "/mesh.ply", before = config_.launch.out + "/before.ply";
+  std::filesystem::rename(mesh, before);
+  const std::int64_t version = hearer_->map_version();
+  Begin();
+  for (int k = 0; k < 200; ++k) Tick(false);
+  EXPECT_GE(hearer_->map_version(), version);
+  EXPECT_EQ(hearer_->map_version(), own_hearer_->map_version());
+  EXPECT_EQ(hearer_->map().Digest(), own_hearer_->map().Digest()) << "what was heard before gives way";
+  Tick(false, true);
+  EXPECT_TRUE(ReadPly(mesh).vertices_W == ReadPly(before).vertices_W);
+}
+
+TEST_F(MapFusion, IsRefusedASavedMapOfAnotherGrid) {
+  Begin();
+  for (int k = 0; k < 20; ++k) Tick(true);
+  Tick(false, true);
+  std::filesystem::rename(config_.launch.out + "/map.tsdf", config_.launch.out + "/other.tsdf");
+  config_.map.start = config_.launch.out + "/other.tsdf";
+  config_.map.voxel_m = 0.2;
+  EXPECT_THROW(Begin(), ConfigError);
+}
+
 TEST_F(MapFusion, RefusesASummaryOfAnotherGridAndLives) {
   hearer_ = std::make_shared<MapHearer>(config_, listener_);
   Tick(false);

@@ -81,6 +81,21 @@ TEST_F(UavDynamics, FliesWhatIsSaidOnceAndIgnoresWhatItKnows) {
   EXPECT_LT((last.X_WB.p - Eigen::Vector3d(0, 1, 3)).norm(), 0.02);
 }
 
+TEST_F(UavDynamics, FliesWhatASmootherSaysThatWasStartedAgain) {
+  Start();
+  Tick();
+  Trajectory before = Hover({0, 1, 3}, 0, 0);
+  before.id = 9;
+  bus.Publish(channels::kTrajectory, 1, Encode(before));
+  for (int k = 0; k < 100; ++k) Tick();
+  Trajectory anew = Hover({0, -1, 3}, 0, 2'000'000);
+  anew.id = 1;
+  bus.Publish(channels::kTrajectory, 1, Encode(anew));
+  UavState last;
+  for (int k = 0; k < 250; ++k) last = Tick();
+  EXPECT_LT((last.X_WB.p - Eigen::Vector3d(0, -1, 3)).norm(), 0.02);
+}
+
 TEST_F(UavDynamics, AddsLocalisationNoiseToWhatIsSaidAlone) {
   config.uav.localisation_noise_m = 0.1;
   Start();

@@ -182,6 +182,33 @@ TEST(FlightExecutive, BrakesBeforeAnObstacleThatOnlyTheNewestScanShows) {
   ExpectWithinLimits(flight);
 }
 
+TEST(FlightExecutive, TakesOverInFlightOnceTheUavIsAtRest) {
+  const PlanningMap map = MapOf({20, 20, 8}, [](const Vector3d&) { return 5.0; });
+  FlightExecutive executive(FlightSettings{}, map, PlainSolve());
+  UavState state;
+  state.X_WB.p = {4, 4, 4};
+  state.v_W = {2, 0, 0};
+  executive.HearState(state);
+  EXPECT_FALSE(executive.committed()) << "whoever was there before has committed to an end at rest";
+  state.X_WB.p = {6, 4, 4};
+  state.v_W.setZero();
+  executive.HearState(state);
+  ASSERT_TRUE(executive.committed());
+  EXPECT_EQ(executive.committed()->At(0).p_W, Vector3d(6, 4, 4));
+}
+
+TEST(Trajectory, SupersedesByIdAndByStartWhereItsSmootherCountsAnew) {
+  const auto of = [](std::int64_t id, Utime start) {
+    Trajectory trajectory = Hover(Vector3d::Zero(), 0, start);
+    trajectory.id = id;
+    return trajectory;
+  };
+  EXPECT_TRUE(Supersedes(of(8, 50), of(7, 50)));
+  EXPECT_FALSE(Supersedes(of(7, 50), of(7, 50))) << "a repetition";
+  EXPECT_FALSE(Supersedes(of(6, 40), of(7, 50))) << "one that comes late";
+  EXPECT_TRUE(Supersedes(of(1, 60), of(7, 50))) << "the first of a smoother that was started again";
+}
+
 TEST(FlightExecutive, ComesToRestWhenToldTo) {
   const PlanningMap map = MapOf({40, 12, 8}, EmptySpace);
   FleetFlight flight(map, {{3, 6, 4}});
