@@ -42,7 +42,7 @@ restart trajectory_smoother KILL 1
 restart lidar_emulator KILL
 sleep 1
 restart topdown_renderer KILL
-restart map_fusion INT # it writes its map first; killed, it would begin anew
+restart map_fusion INT # it writes its map first
 for _ in $(seq 1500); do kill -0 $launcher 2>/dev/null || break; sleep 0.1; done
 kill -0 $launcher 2>/dev/null && fail "the mission does not end"
 wait $launcher
