@@ -1,5 +1,7 @@
 #include "modules/launch/sweep/parallel_runs.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <set>
 
@@ -7,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/modules/launch/sweep/sweep_file.h"
+#include "tests/support/citrine_command.h"
 
 namespace citrine {
 namespace {
@@ -72,6 +75,27 @@ TEST_F(ParallelRuns, JobsAreSentToHostsThroughTheirShell) {
   for (std::string host; std::getline(in, host);) hosts.insert(host);
   EXPECT_TRUE(hosts.contains("north"));
   EXPECT_TRUE(hosts.contains("south"));
+}
+
+TEST_F(ParallelRuns, ResultsOfAnotherHostComeBack) {
+  if (RunCommandLine("unshare -rm true && command -v rsync").exit_code != 0)
+    GTEST_SKIP() << "no unshare or no rsync";
+  // Another host: the same machine with another folder where the project is.
+  const std::string other = file_.folder() + "/other", relative = "results/test_" + std::to_string(getpid());
+  fs::create_directories(other);
+  fs::rename(options_.program, other + "/fly");
+  const std::string ssh =
+      Script("ssh", "shift\n[ \"$1\" = -- ] && shift\nexec unshare -rm sh -c 'mount --bind " + other +
+                        " " CITRINE_SOURCE_DIR " && cd / && exec sh -c \"$1\"' sh \"$*\"\n");
+  options_.program = "./fly";
+  options_.hosts = ssh + " north";
+  jobs_.resize(1);
+  jobs_[0].folder = relative + "/1";
+  const fs::path here = fs::path(CITRINE_SOURCE_DIR) / jobs_[0].folder / "said";
+  EXPECT_TRUE(RunInParallel(jobs_, options_, [](const EndedJob& job) { EXPECT_EQ(job.exit_code, 0); }));
+  EXPECT_TRUE(fs::exists(other + "/" + jobs_[0].folder + "/said"));
+  EXPECT_TRUE(fs::exists(here)) << here;
+  fs::remove_all(fs::path(CITRINE_SOURCE_DIR) / relative);
 }
 
 TEST(JobLog, IsReadLineByLineAndOneCutShortIsLeft) {
