@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <tuple>
@@ -77,6 +78,7 @@ void MapFusionModule::GoOnFromSavedMap() {
   if (path.empty()) return;
   SavedMap saved = ReadSavedMap(path, config_);
   fuser_.Restore(std::move(saved.map), saved.integrations);
+  std::fprintf(stderr, "%s: goes on from %s\n", kName, path.c_str());
 }
 
 void MapFusionModule::HearFleet() {

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -63,13 +64,16 @@ TEST_F(Doctor, NamesWhoHoldsThePort) {
 }
 
 TEST_F(Doctor, NamesAnotherMissionOnTheBusAndRunRefusesIt) {
+  const std::string run = "$launch run smoke --out " + out_.string();
   const CommandResult both =
-      InPrivate(std::string(kBusUp) + "$launch run smoke --out " + out_.string() +
-                " >/dev/null 2>&1 & launcher=$!; sleep 6; $launch doctor; $launch run smoke --out " +
-                out_.string() + "2; echo refused with $?; kill -INT $launcher; wait $launcher");
+      InPrivate(std::string(kBusUp) + run + " >/dev/null 2>&1 & launcher=$!; sleep 6; $launch doctor; " +
+                run + "2; echo refused with $?; " + run +
+                " --in-process; echo again with $?; kill -INT $launcher; wait $launcher");
   EXPECT_THAT(both.output, HasSubstr("warn  another mission, smoke-quality_adaptive-1, is on the bus"));
   EXPECT_THAT(both.output, HasSubstr("citrine: another mission, smoke-quality_adaptive-1, is on the bus"));
   EXPECT_THAT(both.output, HasSubstr("refused with 2"));
+  EXPECT_THAT(both.output, HasSubstr("another mission flies into this folder; choose another with --out"));
+  EXPECT_THAT(both.output, HasSubstr("again with 2"));
 }
 
 TEST_F(Doctor, NamesASmallReceiveBuffer) {
@@ -112,6 +116,20 @@ TEST_F(Doctor, SaysWhatSpyNeeds) {
   const CommandResult nothing = InPrivate("PATH=/nowhere $launch spy");
   EXPECT_THAT(nothing.output,
               HasSubstr("spy: needs liblcm-java libjchart2d-java\n  mend: sudo apt-get install"));
+}
+
+TEST_F(Doctor, NamesTypesThatAreNewerThanTheJarOfSpy) {
+  const fs::path jar = fs::path(CITRINE_BIN_DIR).parent_path() / "share/java/citrine-types.jar";
+  const std::string with_display = "DISPLAY=:99 $launch doctor";
+  if (InPrivate(with_display).output.find("lcm-spy: java") == std::string::npos)
+    GTEST_SKIP() << "Java, lcm-spy or the jar of types is not there (packages-tools.txt)";
+  const auto written = fs::last_write_time(jar);
+  fs::last_write_time(
+      jar, fs::last_write_time(CITRINE_SOURCE_DIR "/lcmtypes/path_t.lcm") - std::chrono::seconds(1));
+  const CommandResult doctor = InPrivate(with_display);
+  fs::last_write_time(jar, written);
+  EXPECT_THAT(doctor.output, ContainsRegex("warn  spy: .*path_t.*: newer than .*citrine-types.jar"));
+  EXPECT_THAT(doctor.output, HasSubstr("mend: ./citrine spy builds it anew"));
 }
 
 TEST_F(Doctor, NamesABrokerThatIsNotThere) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "modules/launch/bus_checks.h"
+#include "modules/launch/port_holder.h"
 
 namespace citrine {
 namespace {
@@ -30,6 +31,12 @@ TEST(NetworkIsolation, APrivateBusHearsItselfAndNobodyElse) {
   });
   if (exit_code == kRefused) GTEST_SKIP() << "this host allows no private networks";
   EXPECT_EQ(exit_code, 0);
+}
+
+TEST(PortHolder, ReadsThePortOfAUrl) {
+  EXPECT_EQ(PortOf("udpm://239.255.76.67:7668?ttl=0"), 7668);
+  EXPECT_EQ(PortOf("udpm://239.255.76.67:7669"), 7669);
+  EXPECT_EQ(PortOf("udpm://?ttl=0"), 7667);
 }
 
 TEST(BusChecks, ABusThatCannotBeOpenedIsNamed) {
