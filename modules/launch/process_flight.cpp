@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -26,7 +27,7 @@ constexpr double kRecorderReady_s = 5;  ///< the recorder's own test of the bus 
 constexpr double kReplyToInterrupt_s = 20;
 constexpr double kWriteResults_s = 120;  ///< a mesh of a large world takes its time
 constexpr double kObey_s = 5;
-constexpr double kSilence_s = 5;    ///< of the wall, without CLOCK, before somebody is told why
+constexpr double kSilence_s = 5;    ///< of the wall, without MODULE_HEALTH, before a module is named
 constexpr double kFarewell_s = 30;  ///< in which modules that were started by hand have written their results
 
 /// As a shell takes it for one word.
@@ -45,6 +46,8 @@ class ProcessFlight {
     bus_.HearBytes(MissionView::kChannels, [this](const std::string& channel, const void* bytes, int size) {
       view_.Hear(channel, bytes, size);
     });
+    bus_.HearBytes(channels::kModuleHealth.name,
+                   [this](const std::string&, const void* bytes, int size) { HearHealth(bytes, size); });
   }
 
   void StartRecorder(const ProcessSpec& recorder) {
@@ -74,16 +77,6 @@ class ProcessFlight {
       text += "\n";
     }
     std::fputs(text.c_str(), stderr);
-    bus_.HearBytes(channels::kModuleHealth.name, [this](const std::string&, const void* bytes, int size) {
-      citrine_lcm::module_health_t health{};
-      try {
-        if (health.decode(bytes, 0, size) != size || health.state != citrine_lcm::module_health_t::DONE)
-          return;
-      } catch (const std::exception&) {
-        return;  // whoever it was has not said that it is done
-      }
-      if (view_.done()) waited_for_.erase(health.module + (health.uav > 0 ? std::to_string(health.uav) : ""));
-    });
   }
 
   /// Looks on until the mission is over.
@@ -169,32 +162,38 @@ class ProcessFlight {
     }
   }
 
-  /// Says once who keeps the mission waiting, in the words of the owner of time.
-  void NoteSilence() {
-    if (by_hand_ || !view_.clock) return;
-    if (view_.clock->step != silent_step_) {
-      silent_step_ = view_.clock->step;
-      since_step_ = Stopwatch();
-      said_silent_ = false;
+  void HearHealth(const void* bytes, int size) {
+    citrine_lcm::module_health_t health{};
+    try {
+      if (health.decode(bytes, 0, size) != size) return;
+    } catch (const std::exception&) {
+      return;  // whoever it was has not answered
     }
-    if (said_silent_ || since_step_.ms() < kSilence_s * 1e3) return;
-    const std::string words = supervisor_.LastWords(kTimeOwner, 1);
-    if (words.empty()) return;  // it is about to say so
-    said_silent_ = true;
-    progress_.Finish();
-    std::fprintf(
-        stderr,
-        "citrine: nothing has happened for %.0f s of wall time; Ctrl-C ends the mission with its results\n%s",
-        kSilence_s, words.c_str());
+    const std::string name = health.module + (health.uav > 0 ? std::to_string(health.uav) : "");
+    if (health.state == citrine_lcm::module_health_t::DONE && view_.done()) waited_for_.erase(name);
+    answered_[name] = Stopwatch();
+    silent_.erase(name);
+  }
+
+  /// Names once who is alive and does not answer.
+  void NoteSilence() {
+    for (const auto& [name, since] : answered_) {
+      if (since.ms() < kSilence_s * 1e3 || !silent_.insert(name).second) continue;
+      progress_.Finish();
+      std::fprintf(
+          stderr,
+          "citrine: %s has not answered for %.0f s of wall time; waiting; Ctrl-C ends the mission with its "
+          "results\n",
+          name.c_str(), kSilence_s);
+    }
   }
 
   MissionConfigText flown_;
   bool by_hand_;
   std::set<std::string>
       waited_for_;  ///< modules that are started by hand and have not said that they are done
-  std::int64_t silent_step_ = -1;
-  bool said_silent_ = false;
-  Stopwatch since_step_;
+  std::map<std::string, Stopwatch> answered_;  ///< when each module was last heard
+  std::set<std::string> silent_;               ///< of them, those that have been named
   Supervisor supervisor_;
   Bus bus_;
   Every say_config_{kConfigPeriod_s};
