@@ -27,7 +27,8 @@ cv::Point ToPoint(const Pixel& p) {
 
 int Thickness(double width_px) { return std::max(1, static_cast<int>(std::lround(width_px))); }
 
-int Even(double pixels) { return 2 * static_cast<int>(std::ceil(pixels / 2)); }  // video codecs want it
+/// Video codecs want it. What rounding has added to a whole number is not rounded up.
+int Even(double pixels) { return 2 * static_cast<int>(std::ceil(pixels / 2 - 1e-6)); }
 
 Eigen::AlignedBox2d Around(const Pixel& centre, double radius) {
   return {centre - Pixel::Constant(radius), centre + Pixel::Constant(radius)};
@@ -139,7 +140,7 @@ void Canvas::Text(const Pixel& at, const std::string& text, Colour colour, doubl
   constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
   constexpr double kCapitals_px = 22;  // height of that font's capitals at scale 1
   const double size = height_px / kCapitals_px;
-  const int thickness = Thickness(height_px / (bold ? 8 : 14));
+  const int thickness = Thickness(height_px / (bold ? 10 : 14));
   int below = 0;
   const double width = cv::getTextSize(text, kFont, size, thickness, &below).width;
   const double left = align == Align::kLeft ? 0 : align == Align::kCentre ? width / 2 : width;

@@ -17,6 +17,8 @@ using Pixel = Eigen::Vector2d;  ///< x to the right, y down, from the centre of 
 class Canvas {
  public:
   enum class Align { kLeft, kCentre, kRight };
+  /// The map part of a picture of 1920 by 1080, the strip beside it.
+  inline static const Pixel kFullHdMap_px{1520, 1080};
 
   /// @param area_W [m] what the map part shows
   Canvas(const Eigen::AlignedBox2d& area_W, double pixels_per_m);

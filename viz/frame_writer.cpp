@@ -1,10 +1,7 @@
 #include "viz/frame_writer.h"
 
 #include <cstdio>
-#include <cstdlib>
-#include <utility>
 
-#include <opencv2/highgui.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -56,31 +53,6 @@ void VideoWriter::Add(const Image& image) {
   if (cv::Size(image.width, image.height) != impl_->size)
     throw FrameError(impl_->path + ": a frame of another size");
   impl_->writer.write(View(image));
-}
-
-Window::Window(std::string title) : title_(std::move(title)) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
-    throw FrameError("no window: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)");
-  }
-  try {
-    cv::namedWindow(title_, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO | cv::WINDOW_GUI_NORMAL);
-  } catch (const cv::Exception& error) {
-    throw FrameError("no window: " + error.err);
-  }
-}
-
-Window::~Window() {
-  try {
-    cv::destroyWindow(title_);
-  } catch (const cv::Exception&) {
-  }
-}
-
-void Window::Show(const Image& image) {
-  cv::imshow(title_, View(image));
-  if (!sized_) cv::resizeWindow(title_, image.width, image.height);
-  sized_ = true;
-  cv::waitKey(1);
 }
 
 }  // namespace citrine::viz

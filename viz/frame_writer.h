@@ -31,17 +31,4 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A window on the desktop.
-class Window {
- public:
-  /// @throws FrameError where there is no display
-  explicit Window(std::string title);
-  ~Window();
-  void Show(const Image& image);
-
- private:
-  std::string title_;
-  bool sized_ = false;  ///< to the first image; from then on it is the viewer's to size
-};
-
 }  // namespace citrine::viz

@@ -4,15 +4,15 @@ namespace citrine::viz {
 
 const std::vector<Layer>& Layers() {
   static const std::vector<Layer> layers{
-      {"height", DrawHeight},
-      {"confidence", DrawConfidence},
-      {"active elements", DrawActiveElements},
-      {"quality regions", DrawQualityRegions},
-      {"trails", DrawTrails},
-      {"plans", DrawPlans},
-      {"uavs", DrawUavs},
-      {"scale bar", DrawScaleBar},
-      {"strip", DrawStrip},
+      {"height", 'h', DrawHeight},
+      {"confidence", 'c', DrawConfidence},
+      {"active elements", 'e', DrawActiveElements},
+      {"quality regions", 'r', DrawQualityRegions},
+      {"trails", 't', DrawTrails},
+      {"plans: path, trajectory, next view", 'p', DrawPlans},
+      {"UAVs", 'u', DrawUavs},
+      {"scale bar", 'b', DrawScaleBar},
+      {"strip", 0, DrawStrip},
   };
   return layers;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "viz/layer.h"
+#include "viz/view.h"
 
 namespace citrine::viz {
 
@@ -18,5 +19,8 @@ void DrawPlans(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawUavs(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawScaleBar(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawStrip(const Scene& scene, const Relief& relief, Canvas& canvas);
+
+/// Not a layer: only in windows, and only when asked for.
+void DrawHelp(const View& view, Canvas& canvas);
 
 }  // namespace citrine::viz

@@ -8,16 +8,21 @@ namespace citrine::viz {
 
 namespace {
 constexpr double kMargin_m = 0.75;
+}  // namespace
+
+TopdownRenderer::TopdownRenderer(const Eigen::AlignedBox3d& volume_W, double pixels_per_m) {
+  whole_.area_W = {volume_W.min().head<2>().array() - kMargin_m,
+                   volume_W.max().head<2>().array() + kMargin_m};
+  const Eigen::Array2d fitting = Canvas::kFullHdMap_px.array() / whole_.area_W.sizes().array();
+  whole_.pixels_per_m = pixels_per_m > 0 ? pixels_per_m : fitting.minCoeff();
 }
 
-TopdownRenderer::TopdownRenderer(const Eigen::AlignedBox3d& volume_W, double pixels_per_m)
-    : area_W_(volume_W.min().head<2>().array() - kMargin_m, volume_W.max().head<2>().array() + kMargin_m),
-      pixels_per_m_(pixels_per_m) {}
-
-Image TopdownRenderer::Draw(const Scene& scene) const {
-  Canvas canvas(area_W_, pixels_per_m_);
+Image TopdownRenderer::Draw(const Scene& scene, const View& view) const {
+  Canvas canvas(view.area_W, view.pixels_per_m);
   const Relief relief = ReliefOf(scene);
-  for (const Layer& layer : Layers()) layer.draw(scene, relief, canvas);
+  for (const Layer& layer : Layers())
+    if (layer.key == 0 || view.hidden.find(layer.key) == std::string::npos) layer.draw(scene, relief, canvas);
+  if (view.help) DrawHelp(view, canvas);
   return canvas.image();
 }
 

@@ -2,6 +2,7 @@
 
 #include "viz/image.h"
 #include "viz/scene.h"
+#include "viz/view.h"
 
 namespace citrine::viz {
 
@@ -9,13 +10,17 @@ namespace citrine::viz {
 /// beside it.
 class TopdownRenderer {
  public:
+  /// @param pixels_per_m 0: as large as a picture of 1920 by 1080 allows
   TopdownRenderer(const Eigen::AlignedBox3d& volume_W, double pixels_per_m);
 
-  Image Draw(const Scene& scene) const;
+  /// All of the mission, every layer.
+  const View& whole() const { return whole_; }
+  Image Draw(const Scene& scene) const { return Draw(scene, whole_); }
+  /// @param view of as many pixels as the whole
+  Image Draw(const Scene& scene, const View& view) const;
 
  private:
-  Eigen::AlignedBox2d area_W_;
-  double pixels_per_m_;
+  View whole_;
 };
 
 }  // namespace citrine::viz

@@ -16,7 +16,8 @@ TopdownRendererModule::TopdownRendererModule(const ModuleContext& context)
       scene_(context),
       renderer_(context.config.volume_W(), context.config.viz.pixels_per_m),
       picture_due_(kPicturePeriod_s, FromSeconds(kPicturePeriod_s)),
-      frame_due_(1 / frame_hz_) {
+      frame_due_(1 / frame_hz_),
+      control_(renderer_.whole()) {
   if (context.config.launch.view) window_.emplace("citrine: " + context.config.mission.name);
 }
 
@@ -24,7 +25,8 @@ void TopdownRendererModule::Tick(const Step& step) {
   scene_.Update(step);
   const bool picture = (picture_due_.Due(step.now) || step.last) && !out_.empty();
   const bool frame = frame_due_.Due(step.now) || step.last;
-  if (!picture && !(frame && (wants_video_ || window_))) return;
+  if (window_) ShowInWindow(frame);
+  if (!picture && !(frame && wants_video_)) return;
 
   const Stopwatch stopwatch;
   Write(renderer_.Draw(scene_.Finish()), picture, frame && wants_video_);
@@ -32,12 +34,19 @@ void TopdownRendererModule::Tick(const Step& step) {
   health_.Sample("frame_ms", stopwatch.ms());
 }
 
+void TopdownRendererModule::ShowInWindow(bool due) {
+  const std::vector<viz::WindowEvent> events = window_->TakeEvents();
+  for (const viz::WindowEvent& event : events) control_.Handle(event);
+  if (!due && events.empty()) return;
+  const viz::Scene& scene = scene_.Finish();
+  window_->Show(renderer_.Draw(scene, control_.ViewOf(scene)));
+}
+
 void TopdownRendererModule::Write(const viz::Image& frame, bool picture, bool video) {
   try {
     if (picture) viz::WritePng(out_ + "/topdown.png", frame);
     if (video && !video_) video_.emplace(out_ + "/topdown.mp4", frame.width, frame.height, frame_hz_);
     if (video) video_->Add(frame);
-    if (window_) window_->Show(frame);
   } catch (const viz::FrameError& error) {
     health_.Error(error.what());
     if (video && !video_) wants_video_ = false;

@@ -7,12 +7,14 @@
 #include "modules/topdown_renderer/scene_hearer.h"
 #include "viz/frame_writer.h"
 #include "viz/topdown_renderer.h"
+#include "viz/view_control.h"
+#include "viz/window.h"
 
 namespace citrine {
 
 /// The mission seen from above: hears everything and says nothing. Writes topdown.png into the result folder
-/// every ten seconds of mission time and at the end, topdown.mp4 with launch.video, and shows a window with
-/// launch.view.
+/// every ten seconds of mission time and at the end, topdown.mp4 with launch.video, and shows a
+/// window with launch.view, in which keys and mouse pan, zoom, follow a UAV and choose layers.
 class TopdownRendererModule : public Module {
  public:
   static constexpr const char* kName = "topdown_renderer";
@@ -27,6 +29,8 @@ class TopdownRendererModule : public Module {
 
  private:
   void Write(const viz::Image& frame, bool picture, bool video);
+  /// Redraws the window when that is due or its viewer asks for another view.
+  void ShowInWindow(bool due);
 
   Health& health_;
   std::string out_;
@@ -36,6 +40,7 @@ class TopdownRendererModule : public Module {
   viz::TopdownRenderer renderer_;
   Every picture_due_, frame_due_;
   std::optional<viz::VideoWriter> video_;
+  viz::ViewControl control_;
   std::optional<viz::Window> window_;
 };
 

@@ -14,8 +14,11 @@ struct GoldenMission {
 
 inline std::vector<GoldenMission> GoldenMissions() {
   return {
-      {"smoke", {"lidar.rows=16", "lidar.cols=192", "map.octree_hz=0.2", "map.rotation_s=60"}},
-      {"smoke_three_uavs", {"mission.uavs=3", "mission.seed=2", "mission.time_limit_s=4", "lidar.cols=256"}}};
+      {"smoke",
+       {"viz.pixels_per_m=24", "lidar.rows=16", "lidar.cols=192", "map.octree_hz=0.2", "map.rotation_s=60"}},
+      {"smoke_three_uavs",
+       {"viz.pixels_per_m=24", "mission.uavs=3", "mission.seed=2", "mission.time_limit_s=4",
+        "lidar.cols=256"}}};
 }
 
 inline std::string GoldenFolder(const std::string& mission) {

@@ -46,6 +46,39 @@ TEST(TopdownRenderer, ShowsEveryUavInItsColour) {
   }
 }
 
+TEST(TopdownRenderer, FillsAFullHdPictureUnlessAScaleIsAskedFor) {
+  Scene empty;
+  for (const Eigen::Vector3d& size : {Eigen::Vector3d(14, 14, 8), Eigen::Vector3d(45, 40, 20)}) {
+    const Image image = TopdownRenderer({Eigen::Vector3d::Zero(), size}, 0).Draw(empty);
+    EXPECT_EQ(image.height, 1080);
+    EXPECT_LE(image.width, 1920);
+  }
+  const Image wide = TopdownRenderer({Eigen::Vector3d::Zero(), Eigen::Vector3d(100, 40, 20)}, 0).Draw(empty);
+  EXPECT_LE(wide.width, 1920);
+  EXPECT_LE(wide.height, 1080);
+}
+
+TEST(TopdownRenderer, DrawsAPartInAsManyPixelsAsTheWholeAndLeavesOutWhatIsHidden) {
+  const TestScene& test = Settlement();
+  const TopdownRenderer renderer(test.volume_W, 12);
+  const Image whole = renderer.Draw(test.scene);
+  View part = renderer.whole();
+  part.pixels_per_m *= 2;
+  part.area_W = {part.area_W.center() - part.area_W.sizes() / 4,
+                 part.area_W.center() + part.area_W.sizes() / 4};
+  const Image zoomed = renderer.Draw(test.scene, part);
+  EXPECT_EQ(zoomed.width, whole.width);
+  EXPECT_EQ(zoomed.height, whole.height);
+  EXPECT_NE(zoomed.bgr, whole.bgr);
+
+  View bare = renderer.whole();
+  bare.hidden = "hcertpub";
+  EXPECT_EQ(renderer.Draw(test.scene, bare).ColourAt(whole.width / 4, whole.height / 2), kUnknown);
+  View helped = renderer.whole();
+  helped.help = true;
+  EXPECT_NE(renderer.Draw(test.scene, helped).bgr, whole.bgr);
+}
+
 TEST(TopdownRenderer, DrawsAMissionThatHasNoMapYet) {
   Scene empty;
   empty.mission = "empty";

@@ -56,8 +56,7 @@ void DrawReached(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   cursor.y += 62 * s;
   canvas.Text({cursor.left, cursor.y}, Format("%.1f %%", 100 * share), kText, 24 * s, Canvas::Align::kLeft,
               true);
-  canvas.Text({cursor.right, cursor.y}, "of the surface reached w*", kTextDim, 10.5 * s,
-              Canvas::Align::kRight);
+  canvas.Text({cursor.right, cursor.y}, "of the surface at w*", kTextDim, 10.5 * s, Canvas::Align::kRight);
   cursor.y += 14 * s;
   const Pixel corner(cursor.left, cursor.y);
   canvas.Fill({corner, corner + Pixel(cursor.width(), 7 * s)}, kRule);

@@ -33,7 +33,7 @@ void DrawEntry(const std::string& text, Canvas& canvas, StripCursor& cursor, dou
 /// What colours and marks mean; left out where the strip has no room for it.
 void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   const double s = cursor.s;
-  const double height = 170 * s;
+  const double height = 218 * s;
   if (cursor.y + height > canvas.strip_px().max().y()) return;
   cursor.y = canvas.strip_px().max().y() - height;
   DrawHeading("LEGEND", canvas, cursor);
@@ -48,6 +48,21 @@ void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
   DrawEntry("trajectory", canvas, cursor, 0.5, [&](const Pixel& at) {
     canvas.Polyline({at - Pixel(10 * s, 0), at + Pixel(10 * s, 0)}, kText, 3 * s);
   });
+  cursor.y += 23 * s;
+  DrawEntry("share of the load", canvas, cursor, 0,
+            [&](const Pixel& at) { DrawDiamond(at, 7 * s, UavColour(1), canvas); });
+  DrawEntry("path searched", canvas, cursor, 0.5, [&](const Pixel& at) {
+    canvas.Dashes({at - Pixel(10 * s, 0), at + Pixel(10 * s, 0)}, UavColour(1), 2 * s, 4 * s);
+  });
+  cursor.y += 23 * s;
+  const auto swatch = [&](Colour colour) {
+    return [&canvas, s, colour](const Pixel& at) {
+      canvas.Fill({at - Pixel(8 * s, 6 * s), at + Pixel(8 * s, 6 * s)}, colour);
+      canvas.Outline({at - Pixel(8 * s, 6 * s), at + Pixel(8 * s, 6 * s)}, kRule, s);
+    };
+  };
+  DrawEntry("never seen", canvas, cursor, 0, swatch(kUnknown));
+  DrawEntry("seen, no surface", canvas, cursor, 0.5, swatch(kKnownFree));
 }
 
 }  // namespace citrine::viz

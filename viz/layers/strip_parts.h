@@ -19,6 +19,9 @@ void DrawHeading(const std::string& text, Canvas& canvas, StripCursor& cursor);
 /// A line with a name on the left and a value on the right.
 void DrawValue(const std::string& name, const std::string& value, Canvas& canvas, StripCursor& cursor);
 
+/// What a UAV is given by a correction of the fleet's balance: its centroid.
+void DrawDiamond(const Pixel& at, double radius_px, Colour colour, Canvas& canvas);
+
 void DrawFleetPart(const Scene& scene, Canvas& canvas, StripCursor& cursor);
 void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor);
 

@@ -2,6 +2,7 @@
 
 #include "core/vehicle/airframe.h"
 #include "viz/layers.h"
+#include "viz/layers/strip_parts.h"
 #include "viz/palette.h"
 
 namespace citrine::viz {
@@ -50,13 +51,24 @@ void DrawAirframe(const SceneUav& uav, double radius_m, Canvas& canvas) {
     canvas.Polyline({at, at + 1.25 * size_px * arm(0)}, ink, 3 * s + 2 * grow);
     canvas.Disc(at, 0.42 * size_px + grow, ink);
   }
-  const Pixel label = at + Pixel(0, -(radius_m * canvas.pixels_per_m() + 6 * s));
+  const double beside_px = radius_m * canvas.pixels_per_m() + 6 * s;
+  const bool room_above = at.y() - beside_px - 18 * s > 0;
+  const Pixel label = at + Pixel(0, room_above ? -beside_px : beside_px + 16 * s);
   const std::string name = std::to_string(uav.id);
   canvas.Fill({label + Pixel(-9 * s, -18 * s), label + Pixel(9 * s, 3 * s)}, kOutline, 0.75);
   canvas.Text(label + Pixel(0, -1.5 * s), name, colour, 13 * s, Canvas::Align::kCentre);
 }
 
 }  // namespace
+
+void DrawDiamond(const Pixel& at, double radius_px, Colour colour, Canvas& canvas) {
+  const double s = canvas.scale();
+  const std::vector<Pixel> round{at + Pixel(radius_px, 0), at + Pixel(0, -radius_px),
+                                 at - Pixel(radius_px, 0), at + Pixel(0, radius_px),
+                                 at + Pixel(radius_px, 0)};
+  canvas.Polyline(round, kOutline, 4.5 * s);
+  canvas.Polyline(round, colour, 2.5 * s);
+}
 
 void DrawTrails(const Scene& scene, const Relief&, Canvas& canvas) {
   const double s = canvas.scale();
@@ -81,7 +93,7 @@ void DrawPlans(const Scene& scene, const Relief&, Canvas& canvas) {
       canvas.Polyline(way, kOutline, 6 * s, 0.7);
       canvas.Polyline(way, kText, 3 * s);
     }
-    if (uav.centroid_W) canvas.Ring(canvas.ToPixel(*uav.centroid_W), 14 * s, colour, 2 * s, 0.8);
+    if (uav.centroid_W) DrawDiamond(canvas.ToPixel(*uav.centroid_W), 12 * s, colour, canvas);
     if (uav.status && uav.status->has_goal) DrawGoal(*uav.status, colour, canvas);
   }
 }
