@@ -153,6 +153,8 @@ struct PlannerSection {
   double alpha = 1, beta = 1, gamma = 2;
   int corrected_selections = 2;
   double correction_expiry_s = 20;
+  std::string clusters = "hard";
+  double clusters_lambda_m2 = 20;
   double decision_latency_s = 0.1;
   double lookahead_s = 1.4;
   double path_margin_m = 0.1;
@@ -170,6 +172,14 @@ struct PlannerSection {
     v("corrected_selections", corrected_selections, Key{"k (paper, V-A)", "", 1, 100});
     v("correction_expiry_s", correction_expiry_s,
       Key{"a correction is over then at the latest", "s", 1, 600});
+    v("clusters", clusters,
+      Key{"regularised k-means (paper, IV-C): sizes differ by one element at most, or cost what lambda says",
+          "",
+          0,
+          0,
+          {"hard", "soft"}});
+    v("clusters_lambda_m2", clusters_lambda_m2,
+      Key{"of the soft form: half of what an element more costs a cluster of mean size", "m^2", 0, 1e6});
     v("decision_latency_s", decision_latency_s,
       Key{"mission time from a trigger to the goal, whatever the host's speed", "s", 0, 10});
     v("lookahead_s", lookahead_s,

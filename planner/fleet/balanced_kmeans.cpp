@@ -15,6 +15,7 @@ namespace citrine::planner {
 namespace {
 
 constexpr int kRoundsMax = 50;
+constexpr int kManyElements = 1 << 30;
 constexpr double kMustFill =
     1e12;  ///< reward of a cluster's place that has to be taken; above any distance squared
 
@@ -22,7 +23,8 @@ constexpr double kMustFill =
 /// does that loses least by it; a heap for each pair keeps these.
 class Flow {
  public:
-  Flow(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W)
+  Flow(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W,
+       const SizeRule& rule)
       : k_(static_cast<int>(centroids_W.size())), cost_(points.size() * k_), heaps_(k_ * k_) {
     int total = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -31,6 +33,7 @@ class Flow {
     }
     floor_ = total / k_;
     extras_ = total % k_;
+    if (rule.lambda_m2) lambda_ = *rule.lambda_m2 * k_ / total;
     share_.assign(points.size(), std::vector<int>(k_));
     size_.assign(k_, 0);
     for (std::size_t i = 0; i < points.size(); ++i) Place(static_cast<int>(i), points[i].weight);
@@ -42,6 +45,7 @@ class Flow {
     double sum = 0;
     for (std::size_t i = 0; i < share_.size(); ++i)
       for (int j = 0; j < k_; ++j) sum += share_[i][j] * cost_[i * k_ + j];
+    for (const int size : size_) sum += lambda_.value_or(0) * size * size;
     return sum;
   }
 
@@ -88,21 +92,38 @@ class Flow {
     }
   }
 
-  /// Elements that cluster j may still take: up to its floor, or one beyond while extras are left.
+  /// Elements that cluster j may still take: in the hard form up to its floor, or one beyond while extras are
+  /// left.
   int Room(int j) const {
+    if (lambda_) return std::numeric_limits<int>::max();
     if (size_[j] < floor_) return floor_ - size_[j];
     return size_[j] == floor_ && extras_ > 0 ? 1 : 0;
   }
 
+  /// What the next element costs cluster j for its size.
+  double Price(int j) const {
+    if (lambda_) return *lambda_ * (2 * size_[j] + 1);
+    return size_[j] < floor_ ? -kMustFill : 0;
+  }
+
+  /// Elements after which a cluster whose price is `ahead` lower has the same price as another.
+  int UntilLevel(double ahead) const {
+    const double count = lambda_.value_or(0) > 0 ? ahead / (2 * *lambda_) : kManyElements;
+    return static_cast<int>(std::min<double>(count, kManyElements)) + 1;
+  }
+
   int Augment(int point, int count, const std::vector<double>& length, const std::vector<int>& from) {
     int end = -1;
-    double best = std::numeric_limits<double>::infinity();
+    double best = std::numeric_limits<double>::infinity(), second = best;
     for (int j = 0; j < k_; ++j) {
       if (Room(j) == 0) continue;
-      const double total = length[j] - (size_[j] < floor_ ? kMustFill : 0);
-      if (total < best) best = total, end = j;
+      const double total = length[j] + Price(j);
+      if (total < best)
+        second = best, best = total, end = j;
+      else
+        second = std::min(second, total);
     }
-    int amount = std::min(count, Room(end));
+    int amount = std::min({count, Room(end), UntilLevel(second - best)});
     for (int b = end; from[b] >= 0; b = from[b])
       amount = std::min(amount, share_[Cheapest(from[b], b)->point][from[b]]);
     // All moves are read before the first is made.
@@ -115,12 +136,13 @@ class Flow {
       Give(mover, b, amount);
     }
     Give(point, first, amount);
-    if (size_[end] == floor_) --extras_;
+    if (!lambda_ && size_[end] == floor_) --extras_;
     size_[end] += amount;
     return amount;
   }
 
   int k_, floor_ = 0, extras_ = 0;
+  std::optional<double> lambda_;  ///< of the soft form
   std::vector<double> cost_;
   std::vector<Heap> heaps_;
   std::vector<std::vector<int>> share_;
@@ -140,13 +162,14 @@ std::vector<Eigen::Vector3d> Centroids(const std::vector<WeightedPoint>& points,
 
 }  // namespace
 
-Clusters DivideEqually(const std::vector<WeightedPoint>& points,
-                       const std::vector<Eigen::Vector3d>& centroids_W) {
-  const Flow flow(points, centroids_W);
+Clusters Divide(const std::vector<WeightedPoint>& points, const std::vector<Eigen::Vector3d>& centroids_W,
+                const SizeRule& rule) {
+  const Flow flow(points, centroids_W, rule);
   return {centroids_W, flow.share(), flow.size(), flow.Cost(), 0};
 }
 
-Clusters BalancedKmeans(const std::vector<WeightedPoint>& points, int k, std::uint64_t seed) {
+Clusters BalancedKmeans(const std::vector<WeightedPoint>& points, int k, const SizeRule& rule,
+                        std::uint64_t seed) {
   Random random(seed);
   std::vector<int> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
@@ -155,9 +178,9 @@ Clusters BalancedKmeans(const std::vector<WeightedPoint>& points, int k, std::ui
     std::swap(order[j], order[j + random.Below(static_cast<std::uint32_t>(order.size()) - j)]);
     centroids.push_back(points[order[j]].p_W);
   }
-  Clusters clusters = DivideEqually(points, centroids);
+  Clusters clusters = Divide(points, centroids, rule);
   for (int round = 1; round < kRoundsMax; ++round) {
-    Clusters next = DivideEqually(points, Centroids(points, clusters));
+    Clusters next = Divide(points, Centroids(points, clusters), rule);
     next.iterations = round;
     const bool settled = next.share == clusters.share;
     clusters = std::move(next);

@@ -13,11 +13,12 @@ constexpr double kNoWay_m = 1e5;  ///< on top of the straight line, where no way
 
 std::vector<Eigen::Vector3d> DivideWork(const std::vector<Eigen::Vector3d>& elements_W,
                                         const std::vector<Eigen::Vector3d>& uavs_W,
-                                        const LengthsFrom& lengths_from, std::uint64_t seed) {
+                                        const LengthsFrom& lengths_from, const SizeRule& rule,
+                                        std::uint64_t seed) {
   const std::vector<WeightedPoint> cells = GatherCells(elements_W);
   const int n = static_cast<int>(uavs_W.size());
   if (static_cast<int>(cells.size()) < n) return {};
-  const Clusters clusters = BalancedKmeans(cells, n, seed);
+  const Clusters clusters = BalancedKmeans(cells, n, rule, seed);
   Eigen::MatrixXd length_m(n, n);
   for (int i = 0; i < n; ++i) {
     const std::vector<double> row = lengths_from(uavs_W[i], clusters.centroid_W);

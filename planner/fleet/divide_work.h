@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "planner/fleet/balanced_kmeans.h"
+
 namespace citrine::planner {
 
 /// [m] from one point to each of several through known free space; infinity where there is no way.
@@ -18,6 +20,7 @@ using LengthsFrom = std::function<std::vector<double>(const Eigen::Vector3d& fro
 /// @return one a UAV; empty where the elements fill fewer cells than there are UAVs
 std::vector<Eigen::Vector3d> DivideWork(const std::vector<Eigen::Vector3d>& elements_W,
                                         const std::vector<Eigen::Vector3d>& uavs_W,
-                                        const LengthsFrom& lengths_from, std::uint64_t seed);
+                                        const LengthsFrom& lengths_from, const SizeRule& rule,
+                                        std::uint64_t seed);
 
 }  // namespace citrine::planner

@@ -21,23 +21,25 @@ struct TeamMate {
   int selections_left = 0;
 };
 
-/// One UAV's side of the imbalance correction (paper, IV-C): who may begin one, which one holds, when it is
-/// over.
+// clang-format off
+/// One UAV's side of the imbalance correction (paper, IV-C): who may begin one, which one holds, when it is over.
 ///
-///   state     | what happens                               | next     | said
-///   ----------+--------------------------------------------+----------+------------------------------------------
-///   resting   | imbalance at a trigger, MayBegin()         | claiming | FLEET_STATUS replanning = true
-///   claiming  | a living mate with a lower id claims too   | resting  | replanning = false
-///   claiming  | an assignment of another arrives           | resting* | replanning = false
-///   claiming  | the decision is due, still out of balance  | holding* | FLEET_ASSIGNMENT, replanning stays
-///   true claiming  | the decision is due, balance has returned  | resting  | replanning = false holding   |
-///   every living mate made its k selections    | resting  | replanning = false holding   | the assignment
-///   expired (20 s)              | resting  | replanning = false
+///   state    | what happens                                    | next     | said
+///   ---------+-------------------------------------------------+----------+------------------------------------------
+///   resting  | imbalance at a trigger, MayBegin()              | claiming | FLEET_STATUS replanning = true
+///   claiming | a living mate of lower id claims too            | resting  | replanning = false
+///   claiming | an assignment of another arrives                | resting* | replanning = false
+///   claiming | the decision is due, still out of balance       | holding* | FLEET_ASSIGNMENT, replanning stays true
+///   claiming | the decision is due, balance has returned       | resting  | replanning = false
+///   holding  | every living mate has made its k selections     | resting  | replanning = false
+///   holding  | the assignment expired (20 s)                   | resting  | replanning = false
+///   holding  | an assignment that holds against its own arrives| resting* | replanning = false
 ///
-/// (*) and the assignment is followed for k selections or until it expires, in any state. Nobody begins while
-/// a living mate claims or holds, or while an assignment that it knows is not resolved. Of two assignments
-/// begun within 1 s the one of the lower id holds, else the newer: so all agree in whatever order they
-/// arrive. A mate silent for 3 s is planned without, and waits for nobody.
+/// (*) and the assignment is followed for k selections or until it expires, in any state. Nobody begins while a living
+/// mate claims or holds, or while an assignment that it knows is not resolved. Of two assignments begun within 1 s the
+/// one of the lower id holds, else the newer: so all agree in whatever order they arrive. A mate silent for 3 s is
+/// planned without, and waits for nobody.
+// clang-format on
 class FleetCorrection {
  public:
   static constexpr double kSilence_s = 3.0;

@@ -139,7 +139,9 @@ bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
   for (const FleetView::Other& other : prospect.others) uavs_W.push_back(other.x_W());
   const auto seed =
       static_cast<std::uint64_t>(config_.mission.seed) * 1000003u + static_cast<std::uint64_t>(now);
-  const std::vector<Eigen::Vector3d> centroids_W = DivideWork(elements_W, uavs_W, lengths_from_, seed);
+  SizeRule rule;
+  if (config_.planner.clusters == "soft") rule.lambda_m2 = config_.planner.clusters_lambda_m2;
+  const std::vector<Eigen::Vector3d> centroids_W = DivideWork(elements_W, uavs_W, lengths_from_, rule, seed);
   if (centroids_W.empty()) {
     correction_.Release();
     return false;

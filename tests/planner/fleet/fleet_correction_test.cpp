@@ -1,8 +1,12 @@
 #include "planner/fleet/fleet_correction.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include <gtest/gtest.h>
+
+#include "core/random.h"
 
 namespace citrine::planner {
 namespace {
@@ -90,6 +94,98 @@ TEST(FleetCorrection, HearsARepetitionOnce) {
   two.CountSelection();
   EXPECT_FALSE(two.Hear(assignment, kSecond));
   EXPECT_EQ(two.selections_left(), 1);
+}
+
+/// Three UAVs whose statuses and assignments arrive late, out of order, or not at all.
+class Fleet {
+ public:
+  explicit Fleet(std::uint64_t seed) : random_(seed), heard_(3, std::vector<TeamMate>(3)) {
+    for (int uav = 1; uav <= 3; ++uav) {
+      fleet_.emplace_back(uav, 2, 20);
+      for (int of = 0; of < 3; ++of) heard_[of][uav - 1] = MateOf(uav, fleet_.back());
+    }
+  }
+
+  /// A step of 0.2 s; all UAVs see an imbalance whenever they look while `unbalanced`.
+  void Step(bool unbalanced) {
+    now_ += kSecond / 5;
+    Deliver();
+    for (int i = 0; i < 3; ++i) {
+      FleetCorrection& c = fleet_[i];
+      c.Update(Mates(i), now_);
+      if (c.claiming() && random_.Below(2)) {
+        if (random_.Below(5))
+          c.Begin(Centroids(3), now_);
+        else
+          c.Release();
+      } else if (unbalanced && random_.Below(4) == 0 && c.MayBegin(Mates(i), now_)) {
+        c.Claim();
+      }
+      if (random_.Below(10) == 0) c.CountSelection();
+      Say(i);
+    }
+  }
+  bool Resting() const {
+    return std::none_of(fleet_.begin(), fleet_.end(),
+                        [](const FleetCorrection& c) { return c.replanning(); });
+  }
+  bool AllMayBegin() const {
+    for (int i = 0; i < 3; ++i)
+      if (!fleet_[i].MayBegin(Mates(i), now_)) return false;
+    return true;
+  }
+  int begun() const { return begun_; }
+
+ private:
+  struct Message {
+    Utime at;
+    int to;
+    TeamMate status;
+    std::optional<FleetAssignment> assignment;
+  };
+  std::vector<TeamMate> Mates(int of) const {
+    std::vector<TeamMate> mates;
+    for (int i = 0; i < 3; ++i)
+      if (i != of) mates.push_back(heard_[of][i]);
+    return mates;
+  }
+  void Say(int from) {
+    const FleetAssignment* own = fleet_[from].OwnToRepeat(now_);
+    begun_ += own && own->plan_id != said_[from];
+    if (own) said_[from] = own->plan_id;
+    for (int to = 0; to < 3; ++to) {
+      if (to == from || random_.Below(4) == 0) continue;
+      messages_.push_back({now_ + random_.Below(1'500'000), to, MateOf(from + 1, fleet_[from]), {}});
+      if (own) messages_.back().assignment = *own;
+    }
+  }
+  void Deliver() {
+    for (const Message& message : messages_) {
+      if (message.at > now_) continue;
+      heard_[message.to][message.status.uav - 1] = message.status;
+      if (message.assignment) fleet_[message.to].Hear(*message.assignment, now_);
+    }
+    std::erase_if(messages_, [&](const Message& message) { return message.at <= now_; });
+  }
+
+  Random random_;
+  Utime now_ = 0;
+  std::vector<FleetCorrection> fleet_;
+  std::vector<std::vector<TeamMate>> heard_;
+  std::vector<Message> messages_;
+  std::array<std::int64_t, 3> said_{};
+  int begun_ = 0;
+};
+
+TEST(FleetCorrection, NeverLocksHoweverMessagesAreDelayedReorderedOrLost) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Fleet fleet(seed);
+    for (int step = 0; step < 500; ++step) fleet.Step(true);
+    EXPECT_GT(fleet.begun(), 3);                               // in 100 s: it goes on after each
+    for (int step = 0; step < 125; ++step) fleet.Step(false);  // expiry and the longest delay
+    ASSERT_TRUE(fleet.Resting()) << seed;
+    ASSERT_TRUE(fleet.AllMayBegin()) << seed;
+  }
 }
 
 }  // namespace
