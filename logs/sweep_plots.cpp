@@ -14,6 +14,12 @@ namespace {
 
 constexpr int kInstants = 200;
 
+/// What fits beside a figure.
+std::string ShortName(const SweepVariant& variant) {
+  constexpr std::size_t kMostLetters = 18;
+  return variant.title.size() <= kMostLetters ? variant.title : variant.name;
+}
+
 double MostOf(const std::string& column) {
   return LabelOf(column).unit == "%" ? 100 : std::numeric_limits<double>::infinity();
 }
@@ -26,7 +32,7 @@ SvgFigure OverTime(const SweepResults& results, const SweepWorld& world, const s
     for (const SweepRun* run : RunsOf(results, world.name, variant.name))
       if (const auto found = run->over_time.find(column); found != run->over_time.end())
         series.push_back(&found->second);
-    if (!series.empty()) curves.push_back({variant.name, MeanOverTime(series, kInstants), colour});
+    if (!series.empty()) curves.push_back({ShortName(variant), MeanOverTime(series, kInstants), colour});
     ++colour;
   }
   return LineFigure({world.title + ": " + column + ", mean over seeds", "mission time [s]", column}, curves);
@@ -63,7 +69,7 @@ SvgFigure ByVariant(const SweepResults& results, const SweepWorld& world, const 
   for (const SweepVariant& variant : results.plan.variants) {
     const std::vector<double> values = ValuesOf(RunsOf(results, world.name, variant.name), column);
     const Summary s = Summarise(values);
-    if (!values.empty()) rows.push_back({variant.name, values, s.mean, s.half_width, colour});
+    if (!values.empty()) rows.push_back({ShortName(variant), values, s.mean, s.half_width, colour});
     ++colour;
   }
   return IntervalFigure(world.title + ": " + HeadOf(column), HeadOf(column), rows,

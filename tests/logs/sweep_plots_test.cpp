@@ -36,6 +36,15 @@ TEST(SweepPlots, EveryColumnIsDrawnByVariantWithADotARun) {
   EXPECT_THAT(figures[0].figure.body, HasSubstr(">paper<"));
 }
 
+TEST(SweepPlots, NameVariantsByTheirTitlesWhereTheseAreShort) {
+  SweepResults results = SweepOfTwo();
+  results.plan.variants[0].title = "d* = 2 m";
+  results.plan.variants[1].title = "a title that is too long to stand beside a figure";
+  const std::string body = SweepFigures(results)[0].figure.body;
+  EXPECT_THAT(body, HasSubstr(">d* = 2 m<"));
+  EXPECT_THAT(body, HasSubstr(">b<"));
+}
+
 TEST(SweepPlots, AreDrawnOverXWhereTheVariantsHaveOne) {
   SweepResults results = SweepOfTwo();
   results.plan.sweep.x_label = "UAVs";
