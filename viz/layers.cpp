@@ -10,6 +10,7 @@ const std::vector<Layer>& Layers() {
       {"quality regions", 'r', DrawQualityRegions},
       {"trails", 't', DrawTrails},
       {"plans: path, trajectory, next view", 'p', DrawPlans},
+      {"candidates of a decision", 'd', DrawCandidates},
       {"UAVs", 'u', DrawUavs},
       {"scale bar", 'b', DrawScaleBar},
       {"strip", 0, DrawStrip},

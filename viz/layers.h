@@ -16,6 +16,7 @@ void DrawQualityRegions(const Scene& scene, const Relief& relief, Canvas& canvas
 void DrawActiveElements(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawTrails(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawPlans(const Scene& scene, const Relief& relief, Canvas& canvas);
+void DrawCandidates(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawUavs(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawScaleBar(const Scene& scene, const Relief& relief, Canvas& canvas);
 void DrawStrip(const Scene& scene, const Relief& relief, Canvas& canvas);

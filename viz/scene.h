@@ -40,6 +40,14 @@ struct Scene {
   std::vector<SceneUav> uavs;
   std::vector<Eigen::Vector3f> incomplete_W;   ///< active elements: ISE
   std::vector<Eigen::Vector3f> low_quality_W;  ///< active elements: LQSE
+  /// A view that was to choose from, where a decision is explained.
+  struct Candidate {
+    Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d element_W = Eigen::Vector3d::Zero();
+    double share = 0;  ///< of the highest score
+    bool chosen = false;
+  };
+  std::vector<Candidate> candidates;
   MissionProgress progress;
   struct Reached {
     double time_s = 0;

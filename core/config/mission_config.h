@@ -159,6 +159,8 @@ struct PlannerSection {
   double lookahead_s = 1.4;
   double path_margin_m = 0.1;
   double hop_min_m = 2.5;
+  double tidy_m = 6;
+  int leftover_elements = 40;
 
   template <class V>
   void Visit(V& v) {
@@ -189,6 +191,12 @@ struct PlannerSection {
       Key{"views nearer than this are not chosen where others are within twice as far: J_N would have the "
           "UAV nibble at the edge of what it sees; 0 is the paper's letter",
           "m", 0, 20});
+    v("tidy_m", tidy_m,
+      Key{"small groups of elements within this distance are settled before the UAV goes on; 0 is the "
+          "paper's "
+          "letter",
+          "m", 0, 100});
+    v("leftover_elements", leftover_elements, Key{"elements that a small group has at most", "", 1, 1e6});
   }
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "modules/launch/explain_options.h"
 #include "modules/launch/message_source.h"
 #include "modules/launch/replay_options.h"
 #include "modules/launch/run_options.h"
@@ -49,6 +50,7 @@ int ShowKeys();
 int ShowWorld(const std::string& file);
 /// @param to "mcap"  @param out file to write; empty: beside the log
 int ExportLog(const std::string& log, const std::string& to, const std::string& out);
+int ExplainDecision(const ExplainOptions& options);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 int RunSweep(const SweepOptions& options);

@@ -104,6 +104,24 @@ struct ReplayCommand {
   }
 };
 
+struct ExplainCommand {
+  ExplainOptions options;
+
+  explicit ExplainCommand(CLI::App& app) {
+    app.add_option("run", options.run, "Result folder or log")->required()->type_name("RUN");
+    app.add_option("--uav", options.uav, "Whose decision")->required()->type_name("I");
+    app.add_option("--decision", options.decision, "Which of its selections of a view, from 1")
+        ->required()
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--rows", options.rows, "Candidates listed at most; default 10")
+        ->type_name("K")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--out", options.out, "Picture; default explain-uav<I>-<N>.png beside the log")
+        ->type_name("FILE");
+  }
+};
+
 int Main(int argc, char** argv) {
   CLI::App app{
       "A fleet of UAVs rebuilds an unknown place in 3D, to the fidelity asked for, in the least flight.",
@@ -139,6 +157,10 @@ int Main(int argc, char** argv) {
   export_command->add_option("--out", export_out, "The file to write; default: beside the log")
       ->type_name("FILE");
   export_command->final_callback([&] { exit_code = ExportLog(exported, to, export_out); });
+  CLI::App* explain =
+      app.add_subcommand("explain", "One recorded decision: candidates, scores, who won and why");
+  ExplainCommand explain_command(*explain);
+  explain->final_callback([&] { exit_code = ExplainDecision(explain_command.options); });
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
   report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
   report->final_callback([&] { exit_code = Report(results); });

@@ -22,6 +22,7 @@ class ViewPlannerModule : public Module {
 
   explicit ViewPlannerModule(const ModuleContext& context);
   void Tick(const Step& step) override;
+  void TellDecisions(planner::HearDecision hear) { planner_.TellDecisions(std::move(hear)); }
 
  private:
   void HearAll(Utime now);

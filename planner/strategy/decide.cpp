@@ -2,6 +2,7 @@
 
 #include "planner/fleet/balance.h"
 #include "planner/strategy/view_planner.h"
+#include "planner/view/groups.h"
 #include "planner/view/well_seen.h"
 
 namespace citrine::planner {
@@ -90,8 +91,22 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
                                        goal_ ? kFlying : kIdle, memory_);
   for (const View& view : prospect.candidates.views)
     if (!Excluded(view, prospect.others, now)) prospect.views.push_back(view);
-  LeaveNearOnes(prospect.views, start.p_W);
+  if (!KeepLeftovers(prospect, start.p_W)) LeaveNearOnes(prospect.views, start.p_W);
   return prospect;
+}
+
+bool ViewPlanner::KeepLeftovers(Prospect& prospect, const Eigen::Vector3d& p_W) const {
+  const std::vector<int> group = GroupSizes(prospect.elements);
+  const auto goes_on = [&](const View& view) {
+    const auto element =
+        std::lower_bound(prospect.elements.begin(), prospect.elements.end(), view.element,
+                         [](const Element& e, std::uint32_t linear) { return e.linear < linear; });
+    return group[element - prospect.elements.begin()] > config_.planner.leftover_elements ||
+           (view.p_W - p_W).norm() > config_.planner.tidy_m;
+  };
+  if (std::all_of(prospect.views.begin(), prospect.views.end(), goes_on)) return false;
+  std::erase_if(prospect.views, goes_on);
+  return true;
 }
 
 void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const {
@@ -177,7 +192,8 @@ std::optional<std::size_t> ViewPlanner::Choose(const Prospect& prospect, const S
                             start.leaves.v_W,
                             others_W,
                             correction ? &correction->centroid_W_by_uav : nullptr};
-  return strategy_->Choose(situation, [&](const View& view) {
+  std::vector<std::size_t> without_way;
+  const std::optional<std::size_t> choice = strategy_->Choose(situation, [&](const View& view) {
     std::optional<Path> found = FindWay(start, view, avoid);
     if (found && found->ends_at_goal) {
       path = std::move(*found);
@@ -185,8 +201,12 @@ std::optional<std::size_t> ViewPlanner::Choose(const Prospect& prospect, const S
     }
     blocked_.push_back({view.p_W, now + FromSeconds(10.0)});
     memory_.CountBlocked(map_, view.element);
+    without_way.push_back(static_cast<std::size_t>(&view - prospect.views.data()));
     return false;
   });
+  if (choice && hear_decision_)
+    hear_decision_({decisions_ + 1, now, situation, strategy_->Scores(situation), without_way, *choice});
+  return choice;
 }
 
 std::optional<Path> ViewPlanner::FindWay(const Start& start, const View& view,

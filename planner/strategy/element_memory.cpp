@@ -9,7 +9,7 @@ namespace citrine::planner {
 namespace {
 constexpr int kAttemptsMax = 2;
 constexpr int kBlockedMax = 3;
-constexpr int kReturnsMax = 3;
+constexpr int kReturnsMax = 1;
 }  // namespace
 
 ElementMemory::ElementMemory(const VoxelGrid& grid, double range_max_m)

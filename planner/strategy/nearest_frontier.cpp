@@ -16,4 +16,10 @@ std::optional<std::size_t> NearestFrontier::Choose(const Situation& situation, c
   return std::nullopt;
 }
 
+std::vector<Score> NearestFrontier::Scores(const Situation& situation) const {
+  std::vector<Score> scores;
+  for (const View& view : situation.views) scores.push_back({.total = -(view.p_W - situation.p_W).norm()});
+  return scores;
+}
+
 }  // namespace citrine::planner

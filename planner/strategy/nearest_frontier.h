@@ -8,6 +8,7 @@ namespace citrine::planner {
 class NearestFrontier : public Strategy {
  public:
   std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) override;
+  std::vector<Score> Scores(const Situation& situation) const override;
 };
 
 }  // namespace citrine::planner

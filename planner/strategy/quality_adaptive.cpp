@@ -6,7 +6,9 @@
 
 namespace citrine::planner {
 
-std::optional<std::size_t> QualityAdaptive::Choose(const Situation& situation, const Accept& accept) {
+namespace {
+
+std::vector<ViewTerms> TermsOf(const Situation& situation) {
   const std::vector<View>& views = situation.views;
   const std::vector<double> navigation =
       NavigationScores(views, situation.p_W, situation.v_W, situation.map.grid().voxel_m());
@@ -17,15 +19,33 @@ std::optional<std::size_t> QualityAdaptive::Choose(const Situation& situation, c
     terms[i] = {views[i].p_W, navigation[i],
                 mine ? Dispersion(views[i].p_W, situation.others_W, situation.goals) : 0.0};
   }
-  const InformationGain gain(situation.map, situation.elements, situation.window, situation.eta_m);
-  BestView best(gain, std::move(terms), weights_);
+  return terms;
+}
+
+InformationGain GainOf(const Situation& situation) {
+  return {situation.map, situation.elements, situation.window, situation.eta_m};
+}
+
+}  // namespace
+
+std::optional<std::size_t> QualityAdaptive::Choose(const Situation& situation, const Accept& accept) {
+  const InformationGain gain = GainOf(situation);
+  BestView best(gain, TermsOf(situation), weights_);
   for (int offer = 0; offer < kOffers; ++offer) {
     const std::optional<std::size_t> view = best.Next();
     if (!view) break;
-    if (accept(views[*view])) return view;
+    if (accept(situation.views[*view])) return view;
     best.Discard(*view);
   }
   return std::nullopt;
+}
+
+std::vector<Score> QualityAdaptive::Scores(const Situation& situation) const {
+  const InformationGain gain = GainOf(situation);
+  BestView best(gain, TermsOf(situation), weights_);
+  std::vector<Score> scores;
+  for (std::size_t i = 0; i < situation.views.size(); ++i) scores.push_back(best.ScoreOf(i));
+  return scores;
 }
 
 }  // namespace citrine::planner

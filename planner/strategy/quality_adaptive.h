@@ -11,6 +11,7 @@ class QualityAdaptive : public Strategy {
  public:
   explicit QualityAdaptive(const ScoreWeights& weights) : weights_(weights) {}
   std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) override;
+  std::vector<Score> Scores(const Situation& situation) const override;
 
  private:
   ScoreWeights weights_;

@@ -11,6 +11,7 @@
 #include "planner/view/elements.h"
 #include "planner/view/sensor_window.h"
 #include "planner/view/view.h"
+#include "planner/view/view_score.h"
 
 namespace citrine::planner {
 
@@ -39,6 +40,8 @@ class Strategy {
   /// Offers views to `accept`, best first, until it takes one.
   /// @return its index in the situation's views. nullopt: it took none of those offered
   virtual std::optional<std::size_t> Choose(const Situation& situation, const Accept& accept) = 0;
+  /// What it makes of every view; the one with the largest total, the first of equals, is offered first.
+  virtual std::vector<Score> Scores(const Situation& situation) const = 0;
 };
 
 /// Views offered at most in one decision.

@@ -17,6 +17,7 @@
 #include "planner/fleet/fleet_view.h"
 #include "planner/path/reachable_set.h"
 #include "planner/strategy/candidate_views.h"
+#include "planner/strategy/decision.h"
 #include "planner/strategy/element_memory.h"
 #include "planner/strategy/looks.h"
 #include "planner/strategy/strategy.h"
@@ -49,6 +50,9 @@ class ViewPlanner {
 
   /// Follows the map, after it has changed.
   void HearMap(Utime now);
+
+  /// Has every selection told from now on; costs the scores of all views.
+  void TellDecisions(HearDecision hear) { hear_decision_ = std::move(hear); }
 
   /// What a step brought about.
   struct Outcome {
@@ -121,6 +125,9 @@ class ViewPlanner {
   /// @param at_view whether it is looked from where the view is, and not only on the way to it
   void RememberLook(const std::vector<Element>& elements, const View& view, const Eigen::Vector3d& p_W,
                     bool at_view, Utime now);
+  /// Where small groups of elements are left over within `planner.tidy_m`, keeps the views of these alone:
+  /// whoever leaves them has to come back for them. @return whether there are any
+  bool KeepLeftovers(Prospect& prospect, const Eigen::Vector3d& p_W) const;
   /// Takes views nearer than `planner.hop_min_m` out where there are others not much farther.
   void LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const;
   bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
@@ -129,6 +136,7 @@ class ViewPlanner {
   int uav_;
   const PlanningMap& map_;
   FindPath find_path_;
+  HearDecision hear_decision_;
   LengthsFrom lengths_from_;
   SensorWindow window_;
   ActiveSurface surface_;

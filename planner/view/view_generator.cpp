@@ -11,6 +11,8 @@ namespace citrine::planner {
 namespace {
 
 constexpr double kDegree = EIGEN_PI / 180;
+constexpr double kMargin = kDegree;                 ///< of a view to the limit of the field of view
+constexpr double kSafeMargin = 10 * kDegree;        ///< after a view that failed: a UAV is not always level
 constexpr double kVertical = 0.1;                   ///< sine of the tilt below which a normal has no azimuth
 constexpr double kFanCosine = 0.17364817766693041;  ///< of 80 degrees
 constexpr double kLattice_m = 0.5;
@@ -58,19 +60,20 @@ std::array<std::pair<double, View::Kind>, 3> ViewGenerator::Distances(const Elem
   return distances;
 }
 
-Eigen::Vector3d ViewGenerator::Turned(const Eigen::Vector3d& normal_W,
-                                      const Eigen::Vector3d& to_uav_W) const {
+Eigen::Vector3d ViewGenerator::Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W,
+                                      double margin_rad) const {
   const bool vertical = std::hypot(normal_W.x(), normal_W.y()) < kVertical;
   const Eigen::Vector3d& azimuth_of = vertical ? to_uav_W : normal_W;
   const double elevation = std::asin(std::clamp(normal_W.z(), -1.0, 1.0));
   if (!vertical && elevation >= lowest_rad_ && elevation <= highest_rad_) return normal_W;
   return Direction(std::atan2(azimuth_of.y(), azimuth_of.x()),
-                   std::clamp(elevation, lowest_rad_ + kDegree, highest_rad_ - kDegree));
+                   std::clamp(elevation, lowest_rad_ + margin_rad, highest_rad_ - margin_rad));
 }
 
 std::optional<View> ViewGenerator::AlongNormal(const Element& element, const Eigen::Vector3d& uav_W) const {
   if (element.normal_W.isZero()) return std::nullopt;
-  const Eigen::Vector3d along = Turned(element.normal_W, uav_W - element.p_W);
+  const Eigen::Vector3d along =
+      Turned(element.normal_W, uav_W - element.p_W, element.attempts > 0 ? kSafeMargin : kMargin);
   const double useful = UsefulRange(element);
   for (const auto& [distance, kind] : Distances(element)) {
     if (distance > useful || distance < window_.range_min_m()) continue;

@@ -20,7 +20,8 @@ namespace citrine::planner {
 /// Samples along the normal, first safe one from which the element is not hidden: optimal at d* - eta/2,
 /// close at 0.6 (d* - eta), far at d* + 2 eta (at most r_max). A normal outside the field of view is turned
 /// towards the horizon to the limit minus 1 degree; a vertical one takes its azimuth from the UAV. An element
-/// that an earlier view failed to settle tries the close sample first: beams are denser there.
+/// that an earlier view failed to settle tries the close sample first, where beams are denser, and 10 degrees
+/// inside the field of view.
 ///
 /// A view is only made from where the element can be improved: an LQSE from nearer than its weight says that
 /// it has been seen (the weight of one look at d is 1/d^2), unless weights are sums.
@@ -55,7 +56,8 @@ class ViewGenerator {
 
  private:
   std::array<std::pair<double, View::Kind>, 3> Distances(const Element& element) const;
-  Eigen::Vector3d Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W) const;
+  Eigen::Vector3d Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W,
+                         double margin_rad) const;
 
   const PlanningMap& map_;
   SensorWindow window_;
