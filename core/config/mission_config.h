@@ -159,8 +159,8 @@ struct PlannerSection {
   double lookahead_s = 1.4;
   double path_margin_m = 0.1;
   double hop_min_m = 2.5;
-  double tidy_m = 6;
-  int leftover_elements = 40;
+  double tidy_m = 10;
+  int leftover_elements = 100;
 
   template <class V>
   void Visit(V& v) {
@@ -193,8 +193,7 @@ struct PlannerSection {
           "m", 0, 20});
     v("tidy_m", tidy_m,
       Key{"small groups of elements within this distance are settled before the UAV goes on; 0 is the "
-          "paper's "
-          "letter",
+          "paper's letter",
           "m", 0, 100});
     v("leftover_elements", leftover_elements, Key{"elements that a small group has at most", "", 1, 1e6});
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,12 +29,15 @@ class QualityGoals {
   explicit QualityGoals(QualityGoal whole, std::vector<Region> regions = {})
       : whole_(whole), regions_(std::move(regions)) {}
 
-  /// The goal at a point; where regions overlap the first one listed holds.
-  const QualityGoal& At(const Eigen::Vector3d& p_W) const {
-    for (const Region& region : regions_)
-      if (region.box_W.contains(p_W)) return region.goal;
-    return whole_;
+  /// The part of the volume that a point lies in: 0 for what is in no region, else one more than the index of
+  /// the region; where regions overlap the first one listed holds.
+  std::size_t PartOf(const Eigen::Vector3d& p_W) const {
+    for (std::size_t i = 0; i < regions_.size(); ++i)
+      if (regions_[i].box_W.contains(p_W)) return i + 1;
+    return 0;
   }
+  const QualityGoal& OfPart(std::size_t part) const { return part == 0 ? whole_ : regions_[part - 1].goal; }
+  const QualityGoal& At(const Eigen::Vector3d& p_W) const { return OfPart(PartOf(p_W)); }
   const std::vector<Region>& regions() const { return regions_; }
   const QualityGoal& whole() const { return whole_; }
   double w_star_max() const {

@@ -2,7 +2,7 @@
 
 #include "planner/fleet/balance.h"
 #include "planner/strategy/view_planner.h"
-#include "planner/view/groups.h"
+#include "planner/view/shortlist.h"
 #include "planner/view/well_seen.h"
 
 namespace citrine::planner {
@@ -13,7 +13,6 @@ constexpr double kGroup_m = 0.75;      ///< elements this near to a view's own s
 constexpr double kGoalsApart_m = 0.5;  ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
 constexpr double kStandOff_s = 3.0;  ///< until a view that an idle mate stands by is asked for again
-constexpr double kHopsOn = 2.0;      ///< hops within which the surface to be seen is taken to go on
 constexpr double kWarmUp_s = 3.0;    ///< before it the map is too young to say that nothing is left
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
@@ -91,31 +90,9 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
                                        goal_ ? kFlying : kIdle, memory_);
   for (const View& view : prospect.candidates.views)
     if (!Excluded(view, prospect.others, now)) prospect.views.push_back(view);
-  if (!KeepLeftovers(prospect, start.p_W)) LeaveNearOnes(prospect.views, start.p_W);
+  Shorten(prospect.views, prospect.elements, start.p_W,
+          {config_.planner.tidy_m, config_.planner.leftover_elements, config_.planner.hop_min_m});
   return prospect;
-}
-
-bool ViewPlanner::KeepLeftovers(Prospect& prospect, const Eigen::Vector3d& p_W) const {
-  const std::vector<int> group = GroupSizes(prospect.elements);
-  const auto goes_on = [&](const View& view) {
-    const auto element =
-        std::lower_bound(prospect.elements.begin(), prospect.elements.end(), view.element,
-                         [](const Element& e, std::uint32_t linear) { return e.linear < linear; });
-    return group[element - prospect.elements.begin()] > config_.planner.leftover_elements ||
-           (view.p_W - p_W).norm() > config_.planner.tidy_m;
-  };
-  if (std::all_of(prospect.views.begin(), prospect.views.end(), goes_on)) return false;
-  std::erase_if(prospect.views, goes_on);
-  return true;
-}
-
-void ViewPlanner::LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const {
-  const double hop_m = config_.planner.hop_min_m;
-  const auto distance_m = [&](const View& view) { return (view.p_W - p_W).norm(); };
-  const bool goes_on = std::any_of(views.begin(), views.end(), [&](const View& view) {
-    return distance_m(view) >= hop_m && distance_m(view) <= kHopsOn * hop_m;
-  });
-  if (goes_on) std::erase_if(views, [&](const View& view) { return distance_m(view) < hop_m; });
 }
 
 void ViewPlanner::RememberLook(const std::vector<Element>& elements, const View& view,

@@ -16,7 +16,7 @@ namespace citrine::planner {
 /// reachable sees.
 ///
 /// Given up: two looks, each of which should have settled the element, changed neither its weight nor the
-/// classes of the 27 voxels around it. It comes back when one of those classes changes, at most three times:
+/// classes of the 27 voxels around it. It comes back when one of those classes changes, once:
 /// noise may make a class flicker for ever. Unreachable: no safe, connected pose sees it with use; tested
 /// again once an unknown voxel within the sensor's range has become known.
 class ElementMemory {

@@ -125,11 +125,6 @@ class ViewPlanner {
   /// @param at_view whether it is looked from where the view is, and not only on the way to it
   void RememberLook(const std::vector<Element>& elements, const View& view, const Eigen::Vector3d& p_W,
                     bool at_view, Utime now);
-  /// Where small groups of elements are left over within `planner.tidy_m`, keeps the views of these alone:
-  /// whoever leaves them has to come back for them. @return whether there are any
-  bool KeepLeftovers(Prospect& prospect, const Eigen::Vector3d& p_W) const;
-  /// Takes views nearer than `planner.hop_min_m` out where there are others not much farther.
-  void LeaveNearOnes(std::vector<View>& views, const Eigen::Vector3d& p_W) const;
   bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
 
   MissionConfig config_;

@@ -7,7 +7,7 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr double kCell_m = 1.0;
+constexpr double kCell_m = 2.0;
 using Cell = std::array<int, 3>;
 
 Cell CellOf(const Element& element) {

@@ -6,7 +6,7 @@
 
 namespace citrine::planner {
 
-/// How many elements the group of each element has. Two elements are in one group if their cells of a metre
+/// How many elements the group of each element has. Two elements are in one group if their cells of 2 m
 /// touch, or a chain of such pairs joins them.
 /// @param elements in any order
 std::vector<int> GroupSizes(const std::vector<Element>& elements);

@@ -43,9 +43,9 @@ class ViewGenerator {
   /// first, at the same distances; the first safe one with a clear sight through known space.
   std::optional<View> Around(const Element& element) const;
 
-  /// The last resort, and the test for "unreachable" (design, section 6): of all poses of a 0.5 m lattice
-  /// that are safe and see the element, the one with the fewest unknown voxels in between, then the distance
-  /// nearest to the optimal one.
+  /// The last resort, and the test for what remains out of reach (ISE_rem of eq. 1; design, section 6): of
+  /// all poses of a 0.5 m lattice that are safe and see the element, the one with the fewest unknown voxels
+  /// in between, then the distance nearest to the optimal one.
   std::optional<View> Search(const Element& element) const;
 
   /// Whether a view still is safe and sees its element with use.

@@ -140,7 +140,9 @@ TEST(FlightStatusCodec, RefusesAnUnknownPhase) {
 }
 
 TEST(MissionProgressCodec, LosesNothing) {
-  const MissionProgress said{41, 42, 40, 44, 45, 0.1, 0.2, 0.3, 46.5};
+  const MissionProgress said{
+      41,  42,  40,  44,   45,
+      0.1, 0.2, 0.3, 46.5, {{10, 9, 8, 0.11, 0.12, 0.13}, {20, 19, 18, 0.21, 0.22, 0.23}}};
   const MissionProgress heard = Decode(OverTheWire(Encode(said)));
   EXPECT_EQ(heard.map_version, 41);
   EXPECT_EQ(heard.surface_voxels, 42);
@@ -151,11 +153,27 @@ TEST(MissionProgressCodec, LosesNothing) {
   EXPECT_EQ(heard.z_sat, 0.2);
   EXPECT_EQ(heard.z_goal, 0.3);
   EXPECT_EQ(heard.known_pct, 46.5);
+  ASSERT_EQ(heard.parts.size(), 2u);
+  EXPECT_EQ(heard.parts[0].voxels_at_goal, 9);
+  EXPECT_EQ(heard.parts[1].surface_voxels, 20);
+  EXPECT_EQ(heard.parts[1].voxels_at_goal, 19);
+  EXPECT_EQ(heard.parts[1].elements_ise, 18);
+  EXPECT_EQ(heard.parts[1].z_bar_sat, 0.21);
+  EXPECT_EQ(heard.parts[1].z_sat, 0.22);
+  EXPECT_EQ(heard.parts[1].z_goal, 0.23);
 }
 
 TEST(MissionProgressCodec, RefusesMoreVoxelsAtGoalThanThereAre) {
   auto message = Encode(MissionProgress{});
   message.voxels_at_goal = 1;
+  EXPECT_THROW(Decode(message), BadMessage);
+}
+
+TEST(MissionProgressCodec, RefusesThatOfAPartToo) {
+  MissionProgress progress;
+  progress.parts.resize(2);
+  auto message = Encode(progress);
+  message.part_voxels_at_goal[1] = 1;
   EXPECT_THROW(Decode(message), BadMessage);
 }
 

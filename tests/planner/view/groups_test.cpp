@@ -14,8 +14,8 @@ Element At(const Eigen::Vector3d& p_W) {
 }
 
 TEST(GroupSizes, CountsWhatAChainOfTouchingCellsJoins) {
-  const std::vector<int> sizes = GroupSizes({At({0.5, 0.5, 0.5}), At({1.9, 1.1, 0.2}), At({2.1, 2.9, -0.4}),
-                                             At({4.5, 0.5, 0.5}), At({4.6, 0.6, 0.5}), At({-9, 0, 0})});
+  const std::vector<int> sizes = GroupSizes({At({1, 1, 1}), At({3.8, 2.2, 0.4}), At({4.2, 5.8, -0.8}),
+                                             At({9, 1, 1}), At({9.2, 1.2, 1}), At({-9, 0, 0})});
   EXPECT_EQ(sizes, (std::vector<int>{3, 3, 3, 2, 2, 1}));
 }
 
@@ -24,11 +24,11 @@ TEST(GroupSizes, AgreesWithJoiningPairsUntilNothingChanges) {
   for (int trial = 0; trial < 20; ++trial) {
     std::vector<Element> elements;
     for (int i = 0; i < 60; ++i) {
-      const double x = random.Uniform(-6, 6), y = random.Uniform(-6, 6);
-      elements.push_back(At({x, y, random.Uniform(0, 3)}));
+      const double x = random.Uniform(-12, 12), y = random.Uniform(-12, 12);
+      elements.push_back(At({x, y, random.Uniform(0, 6)}));
     }
     const auto touch = [](const Element& a, const Element& b) {
-      const Eigen::Vector3d d = a.p_W.array().floor() - b.p_W.array().floor();
+      const Eigen::Vector3d d = (a.p_W / 2).array().floor() - (b.p_W / 2).array().floor();
       return d.cwiseAbs().maxCoeff() < 1.5;
     };
     std::vector<std::size_t> group(elements.size());
