@@ -23,7 +23,7 @@ TEST(Fingerprints, AreThoseOfTheRecordings) {
   EXPECT_EQ(Fingerprint<citrine_lcm::map_blocks_t>(), 0x4dcaed643f9e5c1du);
   EXPECT_EQ(Fingerprint<citrine_lcm::map_summary_t>(), 0x58c519fb09fb44aeu);
   EXPECT_EQ(Fingerprint<citrine_lcm::mission_config_t>(), 0x7e746c59264000c8u);
-  EXPECT_EQ(Fingerprint<citrine_lcm::mission_progress_t>(), 0x2031058cf6273458u);
+  EXPECT_EQ(Fingerprint<citrine_lcm::mission_progress_t>(), 0xda3d89fa32f15a7cu);
   EXPECT_EQ(Fingerprint<citrine_lcm::module_health_t>(), 0xfe0b50339fd399eau);
   EXPECT_EQ(Fingerprint<citrine_lcm::octree_t>(), 0x38f6cfba39f3a2deu);
   EXPECT_EQ(Fingerprint<citrine_lcm::path_t>(), 0xd6452cc6fd1690b5u);
