@@ -10,7 +10,7 @@ const std::vector<Layer>& Layers() {
       {"quality regions", 'r', DrawQualityRegions},
       {"trails", 't', DrawTrails},
       {"plans: path, trajectory, next view", 'p', DrawPlans},
-      {"candidates", 0, DrawCandidates},
+      {"candidates of a decision", 'v', DrawCandidates},
       {"UAVs", 'u', DrawUavs},
       {"scale bar", 'b', DrawScaleBar},
       {"strip", 0, DrawStrip},
