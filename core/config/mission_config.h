@@ -240,7 +240,8 @@ struct VizSection {
 
   template <class V>
   void Visit(V& v) {
-    v("pixels_per_m", pixels_per_m, Key{"scale of topdown.png; 0: as large as 1920 by 1080 pixels allow", "1/m", 0, 200});
+    v("pixels_per_m", pixels_per_m,
+      Key{"scale of topdown.png; 0: as large as 1920 by 1080 pixels allow", "1/m", 0, 200});
     v("frame_hz", frame_hz, Key{"frames a second of mission time of the video", "Hz", 0.1, 60});
     v("ceiling_m", ceiling_m, Key{"surfaces above this height are not drawn", "m", -1e3, 1e3});
   }
