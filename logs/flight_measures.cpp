@@ -14,13 +14,6 @@ bool UnderWay(FlightStatus::Phase phase) {
          phase == FlightStatus::Phase::kBlocked;
 }
 
-double NearestPair(const std::vector<Eigen::Vector3d>& positions) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (positions[i] - positions[j]).norm());
-  return nearest;
-}
-
 }  // namespace
 
 Series PathLengthOverTime(const std::vector<UavState>& states) {
@@ -56,14 +49,19 @@ Series AccelerationOverTime(const std::vector<UavState>& states) {
   return series;
 }
 
-Series SeparationOverTime(const std::vector<UavFlight>& uavs) {
-  std::map<Utime, std::vector<Eigen::Vector3d>> positions_by_time;
-  for (const UavFlight& uav : uavs)
-    for (const UavState& state : uav.states) positions_by_time[state.utime].push_back(state.X_WB.p);
-  Series series;
+std::vector<Series> SeparationOverTime(const std::vector<UavFlight>& uavs) {
+  std::map<Utime, std::vector<std::pair<std::size_t, Eigen::Vector3d>>> positions_by_time;
+  for (std::size_t i = 0; i < uavs.size(); ++i)
+    for (const UavState& state : uavs[i].states) positions_by_time[state.utime].emplace_back(i, state.X_WB.p);
+  std::vector<Series> separations(uavs.size());
   for (const auto& [utime, positions] : positions_by_time)
-    if (positions.size() > 1) series.emplace_back(Seconds(utime), NearestPair(positions));
-  return series;
+    for (const auto& [i, p_W] : positions) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& [other, other_W] : positions)
+        if (other != i) nearest = std::min(nearest, (p_W - other_W).norm());
+      if (std::isfinite(nearest)) separations[i].emplace_back(Seconds(utime), nearest);
+    }
+  return separations;
 }
 
 std::optional<double> MeanSpeedUnderWay(const std::vector<UavFlight>& uavs) {
@@ -84,14 +82,10 @@ std::optional<double> MeanSpeedUnderWay(const std::vector<UavFlight>& uavs) {
   return sum / static_cast<double>(count);
 }
 
-std::optional<double> MinClearance(const std::vector<UavFlight>& uavs, const Clearance& clearance) {
-  std::optional<double> least;
-  for (const UavFlight& uav : uavs)
-    for (const UavState& state : uav.states) {
-      const double here = clearance(state.X_WB.p);
-      if (!least || here < *least) least = here;
-    }
-  return least;
+Series ClearanceOverTime(const std::vector<UavState>& states, const Clearance& clearance) {
+  Series series;
+  for (const UavState& state : states) series.emplace_back(Seconds(state.utime), clearance(state.X_WB.p));
+  return series;
 }
 
 int Collisions(const std::vector<UavFlight>& uavs) {
@@ -136,6 +130,13 @@ std::optional<double> MinOf(const Series& series) {
   if (series.empty()) return std::nullopt;
   return std::min_element(series.begin(), series.end(), [](auto& a, auto& b) { return a.second < b.second; })
       ->second;
+}
+
+std::optional<double> MinOf(const std::vector<Series>& all) {
+  std::optional<double> least;
+  for (const Series& series : all)
+    if (const auto min = MinOf(series); min && (!least || *min < *least)) least = min;
+  return least;
 }
 
 }  // namespace citrine::logs

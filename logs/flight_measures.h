@@ -27,15 +27,16 @@ Series SpeedOverTime(const std::vector<UavState>& states);
 /// window, so that one step of the physics engine does not count as a jerk of the vehicle.
 Series AccelerationOverTime(const std::vector<UavState>& states);
 
-/// [m] between the centres of the two nearest UAVs at every instant at which two or more have spoken.
-Series SeparationOverTime(const std::vector<UavFlight>& uavs);
+/// [m] from each UAV's centre to the nearest of the others' that have spoken of the same instant. Empty for
+/// one alone.
+std::vector<Series> SeparationOverTime(const std::vector<UavFlight>& uavs);
 
 /// [m/s] mean speed of all UAVs over the instants at which a path is under way (tracked, braked or blocked,
 /// not yet reached).
 std::optional<double> MeanSpeedUnderWay(const std::vector<UavFlight>& uavs);
 
-/// [m] least clearance of a UAV's centre; nothing without a state.
-std::optional<double> MinClearance(const std::vector<UavFlight>& uavs, const Clearance& clearance);
+/// [m] clearance of a UAV's centre.
+Series ClearanceOverTime(const std::vector<UavState>& states, const Clearance& clearance);
 
 /// Contacts counted by the simulator, all UAVs.
 int Collisions(const std::vector<UavFlight>& uavs);
@@ -49,8 +50,9 @@ int ElementsUnreachable(const std::vector<UavFlight>& uavs);
 /// The newest value at a time [s]; 0 before the first.
 double ValueAt(const Series& series, double time_s);
 
-/// Largest value; nothing if empty. Smallest likewise.
+/// Largest value; nothing if empty. Smallest likewise, of one series or of all.
 std::optional<double> MaxOf(const Series& series);
 std::optional<double> MinOf(const Series& series);
+std::optional<double> MinOf(const std::vector<Series>& all);
 
 }  // namespace citrine::logs

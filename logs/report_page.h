@@ -19,6 +19,7 @@ namespace citrine::logs {
 struct ReportPage {
   Metrics metrics;
   FlightRecord record;
+  std::vector<Series> clearance_by_uav;  ///< [m] to the true world; empty without one
   std::optional<ReconstructionScore> score;
   Series goal_coverage_pct,
       object_goal_coverage_pct;  ///< over mission time; empty: not held against the truth

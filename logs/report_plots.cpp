@@ -20,14 +20,20 @@ Series Of(const FlightRecord& record, const std::function<double(const MissionPr
   return series;
 }
 
-std::vector<Curve> PerUav(const std::vector<UavFlight>& uavs,
-                          Series (*measure)(const std::vector<UavState>&)) {
+std::vector<Curve> Named(const std::vector<Series>& by_uav) {
   std::vector<Curve> curves;
-  for (const UavFlight& uav : uavs) {
+  for (const Series& series : by_uav) {
     const int i = static_cast<int>(curves.size());
-    curves.push_back({"UAV " + std::to_string(i + 1), measure(uav.states), i});
+    curves.push_back({"UAV " + std::to_string(i + 1), series, i});
   }
   return curves;
+}
+
+std::vector<Curve> PerUav(const std::vector<UavFlight>& uavs,
+                          Series (*measure)(const std::vector<UavState>&)) {
+  std::vector<Series> by_uav;
+  for (const UavFlight& uav : uavs) by_uav.push_back(measure(uav.states));
+  return Named(by_uav);
 }
 
 std::string Paths(const ReportPage& page) {
@@ -122,8 +128,11 @@ std::string FlightPlots(const ReportPage& page) {
                     std::make_pair(std::string("v_max"), page.limits.speed_max_mps));
   html += LineChart({"Acceleration, mean over 0.1 s", kTime, "m/s²"}, PerUav(uavs, AccelerationOverTime),
                     std::make_pair(std::string("a_max"), page.limits.acceleration_max_mps2));
+  if (!page.clearance_by_uav.empty())
+    html += LineChart({"Clearance to the true world", kTime, "m"}, Named(page.clearance_by_uav),
+                      std::make_pair(std::string("radius"), page.limits.radius_m));
   if (uavs.size() > 1)
-    html += LineChart({"Separation of the two nearest UAVs", kTime, "m"}, {{"", SeparationOverTime(uavs), 0}},
+    html += LineChart({"Separation from the nearest UAV", kTime, "m"}, Named(SeparationOverTime(uavs)),
                       std::make_pair(std::string("two radii"), 2 * page.limits.radius_m));
   return html;
 }

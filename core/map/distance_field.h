@@ -26,6 +26,16 @@ class DistanceField {
   /// [m] distance at a voxel.
   float At(std::size_t linear) const { return metres_[squared_[linear]]; }
   std::uint16_t squared_vox(std::size_t linear) const { return squared_[linear]; }
+  /// As above of all voxels, by linear index.
+  const std::uint16_t* squared_vox() const { return squared_.data(); }
+
+  /// Whether the distance at a point, interpolated, is certainly beyond one. False says nothing. The corners
+  /// that interpolation takes lie on average sqrt(3/2) voxels from the nearest one at most.
+  bool CertainlyBeyond(const Eigen::Vector3d& p_W, double distance_m) const {
+    const VoxelIndex v = grid_.IndexOf(p_W);
+    return (v.array() >= 0).all() && (v.array() < grid_.voxels().array()).all() &&
+           At(grid_.Linear(v)) >= distance_m + 1.2247449 * grid_.voxel_m();
+  }
 
   /// [m] distance at a point, trilinear between voxel centres; outside the grid that of the nearest voxel.
   double Interpolate(const Eigen::Vector3d& p_W) const { return Interpolate(p_W, nullptr); }

@@ -61,6 +61,10 @@ void MeasureMap(const logs::FlightRecord& flight, logs::Metrics& m) {
   if (last.surface_voxels > 0) m.voxels_reaching_goal_pct = 100.0 * last.voxels_at_goal / last.surface_voxels;
 }
 
+std::optional<double> SumOf(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::optional(*a + *b) : std::nullopt;
+}
+
 void MeasureDeciding(const logs::FlightRecord& flight, logs::Metrics& m) {
   const auto percentile = [&](const char* name, double percent) -> std::optional<double> {
     const auto found = flight.samples.find(name);
@@ -74,7 +78,7 @@ void MeasureDeciding(const logs::FlightRecord& flight, logs::Metrics& m) {
   m.replan_ms_p95 = percentile("replan_ms", 95);
   m.views_p50 = percentile("views", 50);
   m.elements_p50 = percentile("elements", 50);
-  m.plan_ms_p95 = percentile("plan_ms", 95);
+  m.plan_ms_p95 = SumOf(percentile("path_ms", 95), percentile("smooth_plan_ms", 95));
   m.smoothing_ms_p95 = percentile("smoothing_ms", 95);
   m.integration_ms_p50 = percentile("integration_ms", 50);
   m.integration_ms_p95 = percentile("integration_ms", 95);

@@ -84,8 +84,10 @@ void HoldAgainstTruth(const GroundTruth& truth, const TriMesh& mesh, logs::Repor
   if (!goal.objects_pct.empty()) m.object_goal_coverage_pct = goal.objects_pct.back().second;
   page.goal_coverage_pct = std::move(goal.all_pct);
   page.object_goal_coverage_pct = std::move(goal.objects_pct);
-  m.min_obstacle_clearance_m =
-      logs::MinClearance(page.record.uavs, [&](const Eigen::Vector3d& p_W) { return truth.Clearance(p_W); });
+  for (const logs::UavFlight& uav : page.record.uavs)
+    page.clearance_by_uav.push_back(logs::ClearanceOverTime(
+        uav.states, [&](const Eigen::Vector3d& p_W) { return truth.Clearance(p_W); }));
+  m.min_obstacle_clearance_m = logs::MinOf(page.clearance_by_uav);
   page.notes.push_back(
       logs::Fixed(100 * truth.dropped_share(), 2) +
       " % of the world's surface in the mission volume has solid on both sides and is left out.");

@@ -64,7 +64,7 @@ std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, 
   const Stopwatch stopwatch;
   std::optional<Path> path = path_search_.Find(start_W, goal_W, avoid);
   path_ms_ += stopwatch.ms();
-  health_.Sample("plan_ms", stopwatch.ms());
+  health_.Sample("path_ms", stopwatch.ms());
   return path;
 }
 

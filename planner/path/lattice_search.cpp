@@ -1,6 +1,7 @@
 #include "planner/path/lattice_search.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace citrine::planner {
 
@@ -20,6 +21,8 @@ void LatticeSearch::Begin(const VoxelIndex& from) {
   open_.clear();
   const std::uint32_t node = NodeOf(from);
   nodes_[node] = {round_, 0, -1, false};
+  nearest_ = node;
+  nearest_estimate_ = std::numeric_limits<std::uint32_t>::max();
   Push({0, 0, node});
 }
 
@@ -59,6 +62,10 @@ LatticeSearch::Open LatticeSearch::Pop() {
   const Open entry = open_.back();
   open_.pop_back();
   return entry;
+}
+
+std::vector<VoxelIndex> LatticeSearch::WayToNearest() const {
+  return open_.empty() ? std::vector<VoxelIndex>{} : Trace(nearest_);
 }
 
 std::vector<VoxelIndex> LatticeSearch::Trace(std::uint32_t node) const {

@@ -24,6 +24,10 @@ class LatticeSearch {
   std::vector<VoxelIndex> Find(const VoxelIndex& from, const VoxelIndex& to, int tolerance_vox,
                                int closed_max, Cost&& cost);
 
+  /// Where the last search got nearest to its goal, if it ended for want of nodes; empty if it had looked
+  /// everywhere.
+  std::vector<VoxelIndex> WayToNearest() const;
+
   static constexpr std::uint32_t kUnitCost = 4;
 
  private:
@@ -52,6 +56,7 @@ class LatticeSearch {
   VoxelIndex size_;
   std::uint32_t round_ = 0;
   std::vector<Node> nodes_;
+  std::uint32_t nearest_ = 0, nearest_estimate_ = 0;  ///< of the last search, and what it lacks to the goal
   std::vector<Open> open_;
 };
 

@@ -22,6 +22,8 @@ std::vector<VoxelIndex> LatticeSearch::Find(const VoxelIndex& from, const VoxelI
     nodes_[here.node].closed = true;
     ++closed;
     const VoxelIndex v = VoxelOf(here.node);
+    const std::uint32_t lacks = Heuristic(v, to);
+    if (lacks < nearest_estimate_) nearest_estimate_ = lacks, nearest_ = here.node;
     if ((v - to).cwiseAbs().maxCoeff() <= tolerance_vox) return Trace(here.node);
     for (std::size_t n = 0; n < kN26.size(); ++n) {
       const VoxelIndex step(kN26[n][0], kN26[n][1], kN26[n][2]);

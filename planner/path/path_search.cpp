@@ -28,7 +28,11 @@ std::vector<Ball> BallsAround(std::vector<Ball> balls, const Eigen::Vector3d& st
 }  // namespace
 
 PathSearch::PathSearch(const PlanningMap& map, const VehicleLimits& limits, double margin_m)
-    : limits_(limits), reachable_(map, limits, margin_m), coarse_(map.grid(), 2), fine_(map.grid(), 1) {}
+    : limits_(limits),
+      reachable_(map, limits, margin_m),
+      hopeful_(map, limits, margin_m, Unknown::kFree),
+      coarse_(map.grid(), 2),
+      fine_(map.grid(), 1) {}
 
 std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                      const std::vector<Ball>& avoid) {
@@ -86,6 +90,8 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
   const VoxelIndex goal = grid.IndexOf(goal_W);
   const bool open = grid.Inside(goal) && space.OpenVoxel(grid.Linear(goal));
   const int tolerance = open ? 1 : static_cast<int>(std::ceil((limits_.radius_m + 0.5) / grid.voxel_m()));
+  hopeful_.Update(grid.Centre(from));
+  if (!hopeful_.Nearest(grid.Centre(goal), (tolerance + 1) * grid.voxel_m())) return {};
   const auto cost = [&](const VoxelIndex& v, std::size_t linear) -> std::uint32_t {
     if (!space.OpenVoxel(linear)) return 0;
     if (!avoid.empty() && InsideABall(grid.Centre(v), avoid)) return 0;
@@ -93,6 +99,7 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
   std::vector<VoxelIndex> way = coarse_.Find(from, goal, tolerance, kHopefulMax, cost);
+  if (way.empty()) way = coarse_.WayToNearest();
   const auto first_beyond =
       std::find_if(way.begin(), way.end(), [&](const VoxelIndex& v) { return !reachable_.ReachesInside(v); });
   way.erase(first_beyond, way.end());

@@ -22,7 +22,8 @@ class PathSearch {
   /// possible if unknown space were free (Path::ends_at_goal = false). `id` and `goal_yaw_rad` are the
   /// caller's to set.
   /// @param avoid balls that the way stays out of, such as hovering teammates
-  /// @return nullopt: unreachable
+  /// @return nullopt: unreachable, even if all that is unknown were free, or no nearer to it than the start
+  /// is
   std::optional<Path> Find(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                            const std::vector<Ball>& avoid = {});
 
@@ -39,6 +40,7 @@ class PathSearch {
 
   VehicleLimits limits_;
   ReachableSet reachable_;
+  ReachableSet hopeful_;  ///< through unknown space
   LatticeSearch coarse_, fine_;
 };
 

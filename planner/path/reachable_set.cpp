@@ -24,8 +24,10 @@ std::uint64_t FillRuns(std::uint64_t seeds, std::uint64_t open) {
 
 }  // namespace
 
-ReachableSet::ReachableSet(const PlanningMap& map, const VehicleLimits& limits, double margin_m)
-    : space_(map, limits, margin_m), words_((static_cast<std::size_t>(map.grid().voxels().x()) + 63) / 64) {
+ReachableSet::ReachableSet(const PlanningMap& map, const VehicleLimits& limits, double margin_m,
+                           Unknown unknown)
+    : space_(map, limits, margin_m, unknown),
+      words_((static_cast<std::size_t>(map.grid().voxels().x()) + 63) / 64) {
   const std::size_t rows = static_cast<std::size_t>(map.grid().voxels().y()) * map.grid().voxels().z();
   safe_.assign(words_ * rows, 0);
   reached_.assign(words_ * rows, 0);
@@ -50,13 +52,10 @@ void ReachableSet::ReadSafeVoxels() {
     for (int y = lo.y(); y < hi.y(); ++y) {
       const std::size_t row = Row(y, z), first = grid.Linear({0, y, z});
       for (std::size_t word = 0; word < words_; ++word) {
-        const int begin = std::max(lo.x(), static_cast<int>(word) * 64);
-        const int end = std::min(hi.x(), static_cast<int>(word) * 64 + 64);
-        std::uint64_t bits = 0;
-        for (int x = begin; x < end; ++x)
-          bits |= static_cast<std::uint64_t>(space_.SafeVoxel(first + static_cast<std::size_t>(x)))
-                  << (x & 63);
-        safe_[row + word] = bits;
+        const int base = static_cast<int>(word) * 64;
+        const int begin = std::clamp(lo.x() - base, 0, 64), end = std::clamp(hi.x() - base, 0, 64);
+        safe_[row + word] =
+            begin < end ? space_.SafeVoxels(first + static_cast<std::size_t>(base), begin, end) : 0;
       }
     }
 }

@@ -11,12 +11,14 @@
 
 namespace citrine::planner {
 
-/// The safe voxels that are connected to a UAV: where it can go through space known to be free.
+/// The safe voxels that are connected to a UAV: where it can go through space known to be free, or where it
+/// could if unknown space were free.
 ///
 /// A flood fill over voxels, 64 at a time; voxels are neighbours over faces. Call Update before asking.
 class ReachableSet {
  public:
-  ReachableSet(const PlanningMap& map, const VehicleLimits& limits, double margin_m);
+  ReachableSet(const PlanningMap& map, const VehicleLimits& limits, double margin_m,
+               Unknown unknown = Unknown::kObstacle);
 
   /// Brings the set up to date with the map and the place that it begins at. A start that is not safe (noise
   /// of the map) begins at the nearest safe voxel within 3 m; without one the set is empty.

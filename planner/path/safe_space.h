@@ -13,6 +13,9 @@ namespace citrine::planner {
 
 using Ball = PlanningMap::Ball;
 
+/// What unknown space counts as.
+enum class Unknown { kObstacle, kFree };
+
 /// Where a UAV may be: inside the mission volume, with a ball of its radius around it known to be free.
 ///
 /// Reads the map's distance fields; holds no copy. A clearance that the fields cannot express is cut to their
@@ -20,7 +23,8 @@ using Ball = PlanningMap::Ball;
 class SafeSpace {
  public:
   /// @param margin_m clearance to occupied space beyond the robot's radius; to unknown space none
-  SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double margin_m);
+  SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double margin_m,
+            Unknown unknown = Unknown::kObstacle);
 
   bool SafeVoxel(const VoxelIndex& v) const {
     return map_.grid().Inside(v) && SafeVoxel(map_.grid().Linear(v));
@@ -30,6 +34,9 @@ class SafeSpace {
     return map_.to_occupied().squared_vox(linear) >= occupied_vox2_ &&
            map_.to_unknown().squared_vox(linear) >= unknown_vox2_;
   }
+  /// The same for voxels `first + begin` to `first + end` of a row of the grid inside the mission volume, one
+  /// bit each from bit `begin` on; 64 at most.
+  std::uint64_t SafeVoxels(std::size_t first, int begin, int end) const;
   /// Free of obstacles, as far as is known: unknown space passes.
   bool OpenVoxel(std::size_t linear) const {
     return map_.to_occupied().squared_vox(linear) >= occupied_vox2_;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "planner/trajectory/brake.h"
+
 namespace citrine::planner {
 
 namespace {
 
-constexpr double kReaction_s = 0.2;
+constexpr double kReaction_s = 0.25;  ///< the guard's period, a step, and what lies ahead of a new trajectory
 constexpr double kHorizonSpare_s = 0.5;
 constexpr double kImminent_s = 0.6;  ///< before stopping takes as long as there is
 constexpr Utime kSample = 50'000;
@@ -23,8 +25,7 @@ constexpr double kTeammateSize_m =
 }  // namespace
 
 double CollisionGuard::BoxLength(double speed_mps) const {
-  return limits_.radius_m + speed_mps * kReaction_s +
-         speed_mps * speed_mps / (2 * limits_.acceleration_max_mps2);
+  return limits_.radius_m + speed_mps * kReaction_s + StoppingDistance(speed_mps, limits_);
 }
 
 void CollisionGuard::HearScan(const LidarScan& scan) {

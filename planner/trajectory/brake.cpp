@@ -12,11 +12,12 @@ namespace citrine::planner {
 namespace {
 
 constexpr double kPiece_s = 0.06;  ///< of the fit to the slowed motion
-constexpr double kHardRamp_s = 0.15;
+constexpr double kHardRamp_s = 0.2;
+constexpr double kShare = 0.95;  ///< of the acceleration limit, for slowing down; turns come on top
 constexpr double kShortest_s = 0.3;
 constexpr double kFading_s = 0.3;
 constexpr double kInstant_s = 1e-9;
-constexpr double kFitTolerance = 1.005;
+constexpr double kAllInAll = 0.97;  ///< of the limit, turns included: the vehicle overshoots a little
 constexpr double kStill_mps = 1e-4;
 
 /// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of
@@ -88,7 +89,7 @@ std::vector<TrajectorySegment> BrakeAlong(const Trajectory& flown, Utime at, con
   const double left_s = Seconds(flown.end() - at);
   if (left_s <= 0 || (start.v_W.norm() < kStill_mps && start.a_W.norm() < kStill_mps))
     return left_s <= 0 ? std::vector<TrajectorySegment>{} : Cut(flown, at, flown.end());
-  const double a = limits.acceleration_max_mps2;
+  const double a = kShare * limits.acceleration_max_mps2;
   double fall_s = std::max(kShortest_s, start.v_W.norm() / a);  // of the pace at full deceleration
   std::vector<TrajectorySegment> segments;
   for (int attempt = 0; attempt < 14; ++attempt, fall_s *= 1.08) {
@@ -96,13 +97,17 @@ std::vector<TrajectorySegment> BrakeAlong(const Trajectory& flown, Utime at, con
     const Slowing slowing{ramp_s, fall_s - ramp_s};
     if (slowing.duration_s() / 2 >= left_s) return Cut(flown, at, flown.end());
     segments = Fit(flown, at, slowing);
-    if (WithinLimits(segments, kFitTolerance * a)) break;
+    if (WithinLimits(segments, kAllInAll * limits.acceleration_max_mps2)) break;
   }
   double duration_s = 0;
   for (const TrajectorySegment& segment : segments) duration_s += segment.duration_s;
   AddYaw(start.yaw_rad, start.yaw_rate_radps, start.yaw_rad + start.yaw_rate_radps * duration_s / 2,
          &segments);
   return segments;
+}
+
+double StoppingDistance(double speed_mps, const VehicleLimits& limits) {
+  return speed_mps / 2 * (kHardRamp_s + speed_mps / (kShare * limits.acceleration_max_mps2));
 }
 
 Trajectory Onward(const TrajectoryPoint& state, Utime at) {

@@ -18,6 +18,7 @@ double NormCost(double limit, const Eigen::Vector3d& x, double weight, Eigen::Ve
 
 double ClearanceCost(const DistanceField& field, double clearance_m, const FlightSample& x, double weight,
                      FlightSample* by) {
+  if (field.CertainlyBeyond(x.p, clearance_m)) return 0;
   Eigen::Vector3d gradient;
   const double hinge = clearance_m - field.Interpolate(x.p, &gradient);
   if (hinge <= 0) return 0;

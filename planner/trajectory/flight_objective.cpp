@@ -66,7 +66,9 @@ void Spread(const std::array<double, 6>& h, double T, int order, const Eigen::Ve
 
 FlightObjective::FlightObjective(const FlightScene& scene, const FlightWeights& weights, const Knot& start,
                                  const Knot& end, Utime begins)
-    : scene_(scene), weights_(weights), start_(start), end_(end), begins_(begins) {}
+    : scene_(scene), weights_(weights), start_(start), end_(end), begins_(begins) {
+  for (const Teammate& teammate : scene.teammates) whereabouts_.emplace_back(teammate.trajectory, begins);
+}
 
 std::vector<double> FlightObjective::Pack(const std::vector<Eigen::Vector3d>& inner_W,
                                           const std::vector<double>& durations_s) {
@@ -141,9 +143,10 @@ double FlightObjective::RateOfCost(const FlightSample& x, double weight, FlightS
       VolumeCost(box_W, x, clearance, by) +
       SpeedCost(kPlannedSpeed * limits.speed_max_mps, x, weights_.limits * weight, by) +
       AccelerationCost(kPlannedAcceleration * limits.acceleration_max_mps2, x, weights_.limits * weight, by);
-  for (const Teammate& teammate : scene_.teammates)
-    cost += TeammateCost(teammate, scene_.separation_m() + kTeammateRoom_m, begins_, x,
-                         weights_.teammates * weight, by);
+  const double apart_m = scene_.separation_m() + kTeammateRoom_m;
+  for (std::size_t i = 0; i < whereabouts_.size(); ++i)
+    if (whereabouts_[i].MayBeNear(x.p, x.t_s, apart_m))
+      cost += TeammateCost(scene_.teammates[i], apart_m, begins_, x, weights_.teammates * weight, by);
   return cost;
 }
 

@@ -6,6 +6,7 @@
 #include "core/vehicle/vehicle_limits.h"
 #include "planner/trajectory/flight_costs.h"
 #include "planner/trajectory/minimum_jerk_spline.h"
+#include "planner/trajectory/whereabouts.h"
 
 namespace citrine::planner {
 
@@ -53,11 +54,12 @@ class FlightObjective {
   FlightWeights weights_;
   Knot start_, end_;
   Utime begins_;
+  std::vector<Whereabouts> whereabouts_;  ///< of the scene's teammates
   MinimumJerkSpline spline_;
 };
 
 /// Shares of the limits that are planned for: the real vehicle's tracking error comes on top.
 inline constexpr double kPlannedSpeed = 0.97;
-inline constexpr double kPlannedAcceleration = 0.93;
+inline constexpr double kPlannedAcceleration = 0.90;
 
 }  // namespace citrine::planner

@@ -10,7 +10,7 @@ namespace citrine::sim {
 /// Gains of the tracking controller as frequency and damping of each loop's linear error dynamics.
 struct ControllerGains {
   double position_radps = 4.0, position_damping = 0.9;
-  double attitude_radps = 18.0, attitude_damping = 0.8;
+  double attitude_radps = 25.0, attitude_damping = 1.0;
   double yaw_radps = 6.0, yaw_damping = 1.0;
   double tilt_max_rad = 1.05;  ///< far from its reference a UAV leans this far at most
 };

@@ -68,11 +68,16 @@ TEST(FlightMeasures, SeparationIsThatOfTheNearestPairAtOneInstant) {
         return {-2, 0, 0};
       });
   uavs[2].states = Stand({0, 7, 0}, 4);
-  const Series series = SeparationOverTime(uavs);
-  EXPECT_NEAR(series.front().second, 7, 1e-12);
-  EXPECT_NEAR(*MinOf(series), 2, 1e-12);
+  const std::vector<Series> separations = SeparationOverTime(uavs);
+  ASSERT_EQ(separations.size(), 3u);
+  EXPECT_NEAR(separations[0].front().second, 7, 1e-12);
+  EXPECT_NEAR(*MinOf(separations[0]), 2, 1e-12);
+  EXPECT_NEAR(*MinOf(separations[1]), 2, 1e-12);
+  EXPECT_NEAR(*MinOf(separations[2]), 7,
+              1e-12);  // the first stands 7 m away, the second comes as near as 7.3 m
+  EXPECT_NEAR(*MinOf(separations), 2, 1e-12);
   uavs.resize(1);
-  EXPECT_TRUE(SeparationOverTime(uavs).empty());
+  EXPECT_FALSE(MinOf(SeparationOverTime(uavs)));
 }
 
 TEST(FlightMeasures, MeanSpeedCountsOnlyTheTimeBeforeAGoalIsReached) {
@@ -98,12 +103,14 @@ TEST(FlightMeasures, MeanSpeedCountsOnlyTheTimeBeforeAGoalIsReached) {
   EXPECT_NEAR(*MeanSpeedUnderWay({uav}), 3.0 * 250 / 376, 1e-12);
 }
 
-TEST(FlightMeasures, ClearanceIsTheLeastOfAllUavs) {
-  std::vector<UavFlight> uavs(2);
-  uavs[0].states = Stand({0, 0, 5}, 1);
-  uavs[1].states = Circle(4, 1, 5);
-  EXPECT_NEAR(*MinClearance(uavs, [](const Eigen::Vector3d& p) { return p.z(); }), 3, 1e-12);
-  EXPECT_FALSE(MinClearance({}, [](const Eigen::Vector3d&) { return 0.0; }).has_value());
+TEST(FlightMeasures, ClearanceIsThatOfEveryState) {
+  const Clearance height = [](const Eigen::Vector3d& p) { return p.z(); };
+  const std::vector<UavState> circle = Circle(4, 1, 5);
+  const Series series = ClearanceOverTime(circle, height);
+  ASSERT_EQ(series.size(), circle.size());
+  EXPECT_NEAR(series[7].second, circle[7].X_WB.p.z(), 1e-12);
+  EXPECT_NEAR(*MinOf({series, ClearanceOverTime(Stand({0, 0, 5}, 1), height)}), 3, 1e-12);
+  EXPECT_FALSE(MinOf(ClearanceOverTime({}, height)));
 }
 
 TEST(FlightMeasures, CountsAreThoseOfTheLastMessageOfEachUav) {

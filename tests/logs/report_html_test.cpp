@@ -70,6 +70,16 @@ TEST(ReportHtml, DrawsWhatChangedOverTheMission) {
   EXPECT_THAT(html, HasSubstr("54.0,162.4 106.5,162.4 106.5,124.8 "));
 }
 
+TEST(ReportHtml, PlotsTheFlightOfEveryUavOverTime) {
+  ReportPage page = Page();
+  const std::string without_world = ReportHtml(page);
+  for (const char* title : {"Speed", "Acceleration, mean over 0.1 s", "Separation from the nearest UAV"})
+    EXPECT_THAT(without_world, HasSubstr(title));
+  EXPECT_THAT(without_world, Not(HasSubstr("Clearance to the true world")));
+  page.clearance_by_uav = {{{0, 2}, {1, 1.5}}, {{0, 3}, {1, 2.5}}};
+  EXPECT_THAT(ReportHtml(page), HasSubstr("Clearance to the true world"));
+}
+
 TEST(ReportHtml, NamesWhatWentWrong) {
   ReportPage page = SamplePage();
   page.metrics.completed = false;

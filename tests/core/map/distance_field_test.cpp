@@ -43,6 +43,24 @@ TEST(DistanceField, EqualsBruteForceWhenComputedWhole) {
   }
 }
 
+TEST(DistanceField, IsNeverCertainlyBeyondMoreThanItInterpolatesTo) {
+  const VoxelGrid grid = SmallGrid();
+  Random random(8);
+  std::vector<std::uint8_t> is_site(grid.num_voxels());
+  for (auto& site : is_site) site = random.Uniform() < 0.002;
+  DistanceField field(grid, 8);
+  field.Update(is_site, VoxelIndex::Zero(), grid.voxels());
+  int certain = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Eigen::Vector3d p_W(random.Uniform(-1, 18), random.Uniform(-1, 10), random.Uniform(-1, 12));
+    const double asked_m = random.Uniform(0.2, 4);
+    if (!field.CertainlyBeyond(p_W, asked_m)) continue;
+    ++certain;
+    ASSERT_GE(field.Interpolate(p_W), asked_m - 1e-5) << p_W.transpose();  // distances are kept as floats
+  }
+  EXPECT_GT(certain, 1000);
+}
+
 TEST(DistanceField, EqualsBruteForceAfterSitesCameAndWentInBoxes) {
   const VoxelGrid grid = SmallGrid();
   Random random(5);

