@@ -92,6 +92,7 @@ SoakFlight::SoakFlight(const Scenario& scenario, const UavSection& uav)
     settings.uav = id;
     settings.limits = uav.limits;
     pilot.executive = std::make_unique<FlightExecutive>(settings, map_, solve);
+    pilot.executive->HearState(fleet_.state(id));
     pilot.search = std::make_unique<planner::PathSearch>(map_, uav.limits, config_.planner.path_margin_m);
     pilots_.push_back(std::move(pilot));
   }
@@ -109,8 +110,7 @@ SoakResult SoakFlight::Fly(double time_limit_s) {
     if (step % kScanSteps == 0) Scan(step % kFusedSteps == 0);
     const bool map_changed = step % kMapSteps == 1 && SayMap();
     std::vector<Trajectory> said;
-    for (const Pilot& pilot : pilots_)
-      said.push_back(pilot.executive->committed().value_or(Hover(pilot.said.X_WB.p, 0, 0)));
+    for (const Pilot& pilot : pilots_) said.push_back(*pilot.executive->committed());
     for (Pilot& pilot : pilots_) {
       for (const Pilot& other : pilots_)
         if (other.uav != pilot.uav)
@@ -185,7 +185,6 @@ std::optional<Path> SoakFlight::LookElsewhere(Pilot& pilot, const Vector3d& from
 }
 
 void SoakFlight::Act(Pilot& pilot, bool map_changed) {
-  pilot.executive->HearState(pilot.said);
   const double begin_ms = CpuMs();
   Ask(pilot);
   pilot.executive->Act(now_, map_changed);
