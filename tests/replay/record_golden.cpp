@@ -34,7 +34,9 @@ MissionConfigText Portable(ResolvedMission mission) {
 }
 
 void Record(const GoldenMission& golden) {
-  RunOptions options{std::string(CITRINE_SOURCE_DIR) + "/missions/smoke.toml", golden.overrides, "", false};
+  RunOptions options;
+  options.mission = std::string(CITRINE_SOURCE_DIR) + "/missions/smoke.toml";
+  options.overrides = golden.overrides;
   options.overrides.emplace_back("launch.in_process=true");
   ResolvedMission mission = ResolveMission(options);
   const fs::path folder = GoldenFolder(golden.name);
