@@ -71,7 +71,7 @@ TEST(ReportHtml, DrawsWhatChangedOverTheMission) {
 }
 
 TEST(ReportHtml, PlotsTheFlightOfEveryUavOverTime) {
-  ReportPage page = Page();
+  ReportPage page = SamplePage();
   const std::string without_world = ReportHtml(page);
   for (const char* title : {"Speed", "Acceleration, mean over 0.1 s", "Separation from the nearest UAV"})
     EXPECT_THAT(without_world, HasSubstr(title));
