@@ -1,19 +1,35 @@
 #include "fusion/map_fuser.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "core/digest.h"
+#include "core/quality/confidence.h"
 
 namespace citrine::fusion {
 
 MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation,
-                   WeightPolicy policy)
+                   WeightPolicy policy, const QualityGoals& goals)
     : map_(grid, truncation_m),
       quantisation_(quantisation),
       integrator_(map_, policy),
       touched_(grid.num_blocks(), 0),
-      said_(grid.num_blocks()) {}
+      said_(grid.num_blocks()) {
+  const auto reaches = [&](int code, const QualityGoal& goal) {
+    return quantisation.Weight(static_cast<std::uint8_t>(code)) >= kReached * goal.w_star;
+  };
+  for (int code = 0; code < 256; ++code) {
+    const double distance_m = quantisation.Distance(static_cast<std::uint8_t>(code));
+    class_of_[code] = code == kUnknownCode
+                          ? 0
+                          : static_cast<std::uint8_t>(1 + (distance_m > -grid.voxel_m()) +
+                                                      (distance_m >= grid.voxel_m() / 2) +
+                                                      (distance_m > grid.voxel_m()) + (code == kFreeCode));
+    goals_of_[code] = reaches(code, goals.whole());
+    for (const QualityGoals::Region& region : goals.regions()) goals_of_[code] += reaches(code, region.goal);
+  }
+}
 
 void MapFuser::Integrate(const LidarScan& scan) {
   const std::vector<int> changed = integrator_.Integrate(scan);
@@ -32,17 +48,36 @@ std::vector<int> MapFuser::TakeChanged() {
   std::vector<int> changed;
   for (int block = 0; block < map_.grid().num_blocks(); ++block) {
     if (!std::exchange(touched_[block], std::uint8_t{0})) continue;
-    MapBlock now = map_.Quantise(block, quantisation_);
-    std::unique_ptr<MapBlock>& said = said_[block];
-    if (said && said->distance == now.distance && said->weight == now.weight) continue;
-    map_.MarkChanged(block);
-    now.version = map_.version(block);
-    num_blocks_said_ += !said;
-    said = std::make_unique<MapBlock>(now);
+    const MapBlock now = map_.Quantise(block, quantisation_);
+    if (said_[block] && !Matters(*said_[block], now)) continue;
+    Say(now);
     changed.push_back(block);
   }
-  if (!changed.empty()) version_said_ = integrations_;
   return changed;
+}
+
+void MapFuser::Renew(int block) {
+  const MapBlock now = map_.Quantise(block, quantisation_);
+  if (said_[block]->distance != now.distance || said_[block]->weight != now.weight) Say(now);
+}
+
+bool MapFuser::Matters(const MapBlock& said, const MapBlock& now) const {
+  for (int i = 0; i < kBlockVoxels; ++i)
+    if (class_of_[said.distance[i]] != class_of_[now.distance[i]] ||
+        goals_of_[said.weight[i]] != goals_of_[now.weight[i]] ||
+        std::abs(said.distance[i] - now.distance[i]) > kStillDistance ||
+        std::abs(said.weight[i] - now.weight[i]) > kStillWeight)
+      return true;
+  return false;
+}
+
+void MapFuser::Say(const MapBlock& now) {
+  std::unique_ptr<MapBlock>& said = said_[now.index];
+  num_blocks_said_ += !said;
+  map_.MarkChanged(now.index);
+  said = std::make_unique<MapBlock>(now);
+  said->version = map_.version(now.index);
+  version_said_ = integrations_;
 }
 
 MapSummary MapFuser::Summary() const {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "core/map/quantisation.h"
 #include "core/map/tsdf_map.h"
+#include "core/quality/quality_goal.h"
 #include "fusion/tsdf_integrator.h"
 #include "fusion/weight_policy.h"
 
@@ -16,7 +18,9 @@ namespace citrine::fusion {
 /// Scans of one instant are to come in order of UAV: the last bits depend on the order.
 class MapFuser {
  public:
-  MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation, WeightPolicy policy);
+  /// @param goals  reaching one of them is said at once
+  MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation, WeightPolicy policy,
+           const QualityGoals& goals = {});
 
   void Integrate(const LidarScan& scan);
 
@@ -30,22 +34,37 @@ class MapFuser {
   /// Version of the map as it has been said: grows whenever a block's codes do.
   std::int64_t map_version() const { return version_said_; }
 
-  /// Quantises what the scans have touched since the last call; a block whose codes differ from what was said
-  /// of it last gets its next version. @return the indices of those, ascending
+  /// How far distance and weight codes may have moved before a block is said anew out of turn: noise on
+  /// averages would have all that is in view said all the time.
+  static constexpr int kStillDistance = 2, kStillWeight = 5;
+
+  /// Quantises what the scans have touched since the last call. A block gets its next version if a voxel's
+  /// class or the goals that it reached differ from what was said of it last, or its codes have moved by more
+  /// than the above.
+  /// @return the indices of those, ascending
   std::vector<int> TakeChanged();
 
-  /// The map as it has been said, that is as of the last TakeChanged(). @return nullptr for a block never
-  /// observed
+  /// Brings what is said of a known block up to date, for its turn in the rotation; its next version if codes
+  /// differ.
+  void Renew(int block);
+
+  /// The map as it has been said, that is as of the last TakeChanged() and Renew(). @return nullptr for a
+  /// block never observed
   const MapBlock* Said(int block) const { return said_[block].get(); }
   int num_blocks_said() const { return num_blocks_said_; }
   /// Summary of the map as it has been said.
   MapSummary Summary() const;
 
  private:
+  bool Matters(const MapBlock& said, const MapBlock& now) const;
+  void Say(const MapBlock& now);
+
   TsdfMap map_;
   Quantisation quantisation_;
   TsdfIntegrator integrator_;
-  std::vector<std::uint8_t> touched_;  ///< one a block
+  std::array<std::uint8_t, 256> class_of_{};  ///< by distance code
+  std::array<std::uint8_t, 256> goals_of_{};  ///< by weight code: how many it reaches
+  std::vector<std::uint8_t> touched_;         ///< one a block
   std::vector<std::unique_ptr<MapBlock>> said_;
   int num_blocks_said_ = 0;
   std::int64_t integrations_ = 0;  ///< those that changed something

@@ -10,8 +10,8 @@
 namespace citrine::fusion {
 namespace {
 
-constexpr float kFreeOnSurface =
-    0.25f;  // share of a free observation's weight where a surface was seen before
+// Share of its weight that a free observation has where a surface was seen before.
+constexpr float kFreeOnSurface = 0.25f;
 
 const Lanes kX = _mm256_setr_ps(0, 1, 0, 1, 0, 1, 0, 1), kY = _mm256_setr_ps(0, 0, 1, 1, 0, 0, 1, 1),
             kZ = _mm256_setr_ps(0, 0, 0, 0, 1, 1, 1, 1);

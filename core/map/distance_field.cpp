@@ -6,29 +6,46 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/map/dirty_boxes.h"
+
 namespace citrine {
 namespace {
 
-constexpr int kLanes = 16;  // u16 in an AVX2 register
-
-struct Box {
-  VoxelIndex min, max;
-  Eigen::Vector3i sizes() const { return max - min; }
+/// Squared distances side by side in an AVX2 register: bytes where the radius lets them fit, else u16.
+template <class T>
+struct Squares {
+  static constexpr int kLanes = 32 / sizeof(T);
+  static __m256i Set(int value) {
+    if constexpr (sizeof(T) == 1) return _mm256_set1_epi8(static_cast<char>(value));
+    return _mm256_set1_epi16(static_cast<short>(value));
+  }
+  static __m256i Min(__m256i a, __m256i b) {
+    return sizeof(T) == 1 ? _mm256_min_epu8(a, b) : _mm256_min_epu16(a, b);
+  }
+  static __m256i Add(__m256i a, __m256i b) {
+    return sizeof(T) == 1 ? _mm256_adds_epu8(a, b) : _mm256_adds_epu16(a, b);
+  }
+  static bool NoneAbove(__m256i a, __m256i limit) {
+    return _mm256_movemask_epi8(sizeof(T) == 1 ? _mm256_cmpeq_epi8(_mm256_max_epu8(a, limit), limit)
+                                               : _mm256_cmpeq_epi16(_mm256_max_epu16(a, limit), limit)) == -1;
+  }
 };
 
-Box Grow(const Box& box, int by, const VoxelGrid& grid) {
+constexpr int kLargestByteRadius = 15;
+
+DirtyBox Grow(const DirtyBox& box, int by, const VoxelGrid& grid) {
   return {(box.min.array() - by).max(0), (box.max.array() + by).min(grid.voxels().array())};
 }
 
 /// Squared distance along x to the nearest site of the row, capped. @param first  x of out[0]
-void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row_size, int radius,
-                      std::uint16_t* out) {
+template <class T>
+void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row_size, int radius, T* out) {
   int distance = radius;
   for (int x = std::max(0, first - radius); x < first; ++x)
     distance = is_site[x] ? 0 : std::min(distance + 1, radius);
   for (int i = 0; i < count; ++i) {
     distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
-    out[i] = static_cast<std::uint16_t>(distance);
+    out[i] = static_cast<T>(distance);
   }
   distance = radius;
   for (int x = std::min(row_size, first + count + radius) - 1; x >= first + count; --x)
@@ -36,26 +53,77 @@ void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row
   for (int i = count - 1; i >= 0; --i) {
     distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
     const int nearest = std::min<int>(out[i], distance);
-    out[i] = static_cast<std::uint16_t>(nearest * nearest);
+    out[i] = static_cast<T>(nearest * nearest);
   }
 }
 
-/// min over |k| < radius of in[at + k] + k^2 in 16 lanes; rows lie `stride` apart, and `below`, `above` of
+/// min over |k| < radius of in[at + k] + k^2 in all lanes; rows lie `stride` apart, and `below`, `above` of
 /// them exist.
-__m256i LowerEnvelope(const std::uint16_t* at, std::ptrdiff_t stride, int below, int above, int radius) {
+template <class T>
+__m256i LowerEnvelope(const T* at, std::ptrdiff_t stride, int below, int above, int radius) {
   const auto load = [&](int k) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at + k * stride));
   };
   __m256i best = load(0);
   for (int k = 1; k < radius; ++k) {
-    const __m256i square = _mm256_set1_epi16(static_cast<short>(k * k));
+    const __m256i square = Squares<T>::Set(k * k);
     // Nothing k rows away can be nearer than k: once every lane is, the minimum is found.
-    const __m256i reached = _mm256_cmpeq_epi16(_mm256_max_epu16(best, square), square);
-    if (_mm256_movemask_epi8(reached) == -1) break;
-    if (k <= below) best = _mm256_min_epu16(best, _mm256_adds_epu16(load(-k), square));
-    if (k <= above) best = _mm256_min_epu16(best, _mm256_adds_epu16(load(k), square));
+    if (Squares<T>::NoneAbove(best, square)) break;
+    if (k <= below) best = Squares<T>::Min(best, Squares<T>::Add(load(-k), square));
+    if (k <= above) best = Squares<T>::Min(best, Squares<T>::Add(load(k), square));
   }
   return best;
+}
+
+/// DistanceField::Update, on numbers of one kind.
+template <class T>
+void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint8_t>& is_site,
+              const DirtyBox& changed, std::vector<std::uint16_t>& squared) {
+  constexpr int kLanes = Squares<T>::kLanes;
+  const DirtyBox out = Grow(changed, radius_vox - 1, grid);
+  const DirtyBox in = Grow(out, radius_vox - 1, grid);
+  const Eigen::Vector3i size = out.max - out.min, in_size = in.max - in.min;
+  const int width = (size.x() + kLanes - 1) / kLanes * kLanes;
+  const int in_y = in_size.y(), in_z = in_size.z(), out_y = size.y();
+
+  std::vector<T> along_x(static_cast<std::size_t>(width) * in_y * in_z, 0);
+  for (int z = 0; z < in_z; ++z)
+    for (int y = 0; y < in_y; ++y) {
+      const std::size_t row = grid.Linear({0, in.min.y() + y, in.min.z() + z});
+      DistanceAlongRow(&is_site[row], out.min.x(), size.x(), grid.voxels().x(), radius_vox,
+                       &along_x[static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(in_y) * z)]);
+    }
+
+  std::vector<T> along_xy(static_cast<std::size_t>(width) * out_y * in_z);
+  const int skipped_y = out.min.y() - in.min.y();
+  for (int z = 0; z < in_z; ++z)
+    for (int y = 0; y < out_y; ++y)
+      for (int x = 0; x < width; x += kLanes) {
+        const int from = y + skipped_y;
+        const __m256i best = LowerEnvelope(
+            &along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
+            width, from, in_y - 1 - from, radius_vox);
+        _mm256_storeu_si256(
+            reinterpret_cast<__m256i*>(
+                &along_xy[x + static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(out_y) * z)]),
+            best);
+      }
+
+  const __m256i cap = Squares<T>::Set(radius_vox * radius_vox);
+  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(width) * out_y;
+  const int skipped_z = out.min.z() - in.min.z();
+  alignas(32) T lanes[kLanes];
+  for (int z = 0; z < size.z(); ++z)
+    for (int y = 0; y < out_y; ++y) {
+      const int from = z + skipped_z;
+      const std::size_t row = grid.Linear({out.min.x(), out.min.y() + y, out.min.z() + z});
+      for (int x = 0; x < width; x += kLanes) {
+        const __m256i best = LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from],
+                                           plane, from, in_z - 1 - from, radius_vox);
+        _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), Squares<T>::Min(best, cap));
+        std::copy_n(lanes, std::min(kLanes, size.x() - x), &squared[row + x]);
+      }
+    }
 }
 
 }  // namespace
@@ -72,49 +140,10 @@ DistanceField::DistanceField(const VoxelGrid& grid, int radius_vox)
 void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min,
                            const VoxelIndex& max) {
   if ((min.array() >= max.array()).any()) return;
-  const Box out = Grow({min, max}, radius_vox_ - 1, grid_);
-  const Box in = Grow(out, radius_vox_ - 1, grid_);
-  const int width = (out.sizes().x() + kLanes - 1) / kLanes * kLanes;
-  const int in_y = in.sizes().y(), in_z = in.sizes().z(), out_y = out.sizes().y();
-
-  std::vector<std::uint16_t> along_x(static_cast<std::size_t>(width) * in_y * in_z, 0);
-  for (int z = 0; z < in_z; ++z)
-    for (int y = 0; y < in_y; ++y) {
-      const std::size_t row = grid_.Linear({0, in.min.y() + y, in.min.z() + z});
-      DistanceAlongRow(&is_site[row], out.min.x(), out.sizes().x(), grid_.voxels().x(), radius_vox_,
-                       &along_x[static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(in_y) * z)]);
-    }
-
-  std::vector<std::uint16_t> along_xy(static_cast<std::size_t>(width) * out_y * in_z);
-  const int skipped_y = out.min.y() - in.min.y();
-  for (int z = 0; z < in_z; ++z)
-    for (int y = 0; y < out_y; ++y)
-      for (int x = 0; x < width; x += kLanes) {
-        const int from = y + skipped_y;
-        const __m256i best = LowerEnvelope(
-            &along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
-            width, from, in_y - 1 - from, radius_vox_);
-        _mm256_storeu_si256(
-            reinterpret_cast<__m256i*>(
-                &along_xy[x + static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(out_y) * z)]),
-            best);
-      }
-
-  const __m256i cap = _mm256_set1_epi16(static_cast<short>(radius_vox_ * radius_vox_));
-  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(width) * out_y;
-  const int skipped_z = out.min.z() - in.min.z();
-  alignas(32) std::uint16_t lanes[kLanes];
-  for (int z = 0; z < out.sizes().z(); ++z)
-    for (int y = 0; y < out_y; ++y) {
-      const int from = z + skipped_z;
-      const std::size_t row = grid_.Linear({out.min.x(), out.min.y() + y, out.min.z() + z});
-      for (int x = 0; x < width; x += kLanes) {
-        const __m256i best = LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from],
-                                           plane, from, in_z - 1 - from, radius_vox_);
-        _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), _mm256_min_epu16(best, cap));
-        std::copy_n(lanes, std::min(kLanes, out.sizes().x() - x), &squared_[row + x]);
-      }
-    }
+  if (radius_vox_ <= kLargestByteRadius)
+    UpdateAs<std::uint8_t>(grid_, radius_vox_, is_site, {min, max}, squared_);
+  else
+    UpdateAs<std::uint16_t>(grid_, radius_vox_, is_site, {min, max}, squared_);
 }
 
 double DistanceField::Interpolate(const Eigen::Vector3d& p_W, Eigen::Vector3d* gradient) const {

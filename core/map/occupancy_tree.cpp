@@ -9,8 +9,8 @@
 namespace citrine {
 
 struct OccupancyTree::Impl {
-  explicit Impl(const VoxelGrid& grid)
-      : tree(grid.voxel_m()), version(grid.num_blocks(), 0), leaf(grid.num_voxels(), 0) {}
+  explicit Impl(double voxel_m) : tree(voxel_m) {}
+  void Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is);
 
   octomap::OcTree tree;
   std::vector<std::uint32_t> version;  ///< of the blocks as last looked at
@@ -20,11 +20,36 @@ struct OccupancyTree::Impl {
 OccupancyTree::OccupancyTree() = default;
 OccupancyTree::~OccupancyTree() = default;
 
+void OccupancyTree::Impl::Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is) {
+  // A hair off the centre, so that rounding never puts two voxels into one leaf.
+  const Eigen::Vector3f p_W =
+      (grid.Centre(voxel) + Eigen::Vector3d::Constant(1e-4 * grid.voxel_m())).cast<float>();
+  tree.setNodeValue(octomap::point3d(p_W.x(), p_W.y(), p_W.z()), leaf_is == Leaf::kOccupied
+                                                                     ? tree.getClampingThresMaxLog()
+                                                                     : tree.getClampingThresMinLog());
+}
+
+void OccupancyTree::Add(const TsdfMap& map) {
+  const VoxelGrid& grid = map.grid();
+  if (!impl_) impl_ = std::make_unique<Impl>(grid.voxel_m());
+  for (int block = 0; block < grid.num_blocks(); ++block) {
+    const TsdfBlock* full = map.Find(block);
+    if (!full) continue;
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      const VoxelIndex in_block(i % kBlockSide, i / kBlockSide % kBlockSide, i / (kBlockSide * kBlockSide));
+      const int at = TsdfBlock::IndexOf(in_block);
+      if (!(full->weight[at] > 0)) continue;
+      const bool occupied = full->distance_m[at] < grid.voxel_m() / 2;
+      impl_->Set(grid, grid.BlockOrigin(block) + in_block, occupied ? Leaf::kOccupied : Leaf::kFree);
+    }
+  }
+}
+
 void OccupancyTree::Update(const PlanningMap& map) {
   const VoxelGrid& grid = map.grid();
-  if (!impl_) impl_ = std::make_unique<Impl>(grid);
-  // A hair off the centre, so that rounding never puts two voxels into one leaf.
-  const Eigen::Vector3d hair = Eigen::Vector3d::Constant(1e-4 * grid.voxel_m());
+  if (!impl_) impl_ = std::make_unique<Impl>(grid.voxel_m());
+  impl_->version.resize(static_cast<std::size_t>(grid.num_blocks()), 0);
+  impl_->leaf.resize(grid.num_voxels(), 0);
   for (int block = 0; block < grid.num_blocks(); ++block) {
     if (impl_->version[block] == map.block_version(block)) continue;
     impl_->version[block] = map.block_version(block);
@@ -37,12 +62,7 @@ void OccupancyTree::Update(const PlanningMap& map) {
       const Leaf leaf = map.distance_m(linear) < grid.voxel_m() / 2 ? Leaf::kOccupied : Leaf::kFree;
       if (impl_->leaf[linear] == static_cast<std::uint8_t>(leaf)) continue;
       impl_->leaf[linear] = static_cast<std::uint8_t>(leaf);
-      const Eigen::Vector3d p_W = grid.Centre(voxel) + hair;
-      const octomap::OcTree& tree = impl_->tree;
-      impl_->tree.setNodeValue(
-          octomap::point3d(static_cast<float>(p_W.x()), static_cast<float>(p_W.y()),
-                           static_cast<float>(p_W.z())),
-          leaf == Leaf::kOccupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog());
+      impl_->Set(grid, voxel, leaf);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/map/planning_map.h"
+#include "core/map/tsdf_map.h"
 
 namespace citrine {
 
@@ -19,6 +20,9 @@ class OccupancyTree {
 
   /// Follows the map: only voxels of blocks that changed since are set again.
   void Update(const PlanningMap& map);
+
+  /// The whole of a full map, by the same rule.
+  void Add(const TsdfMap& map);
 
   /// OctoMap's binary stream with its header: what a .bt file holds, and octomap::OcTree::readBinary reads.
   std::vector<std::uint8_t> Bytes() const;

@@ -1,5 +1,9 @@
 #include "core/map/tsdf_map.h"
 
+#include <utility>
+
+#include "core/grid/grid_around.h"
+
 namespace citrine {
 
 TsdfMap::TsdfMap(const VoxelGrid& grid, double truncation_m)
@@ -8,6 +12,29 @@ TsdfMap::TsdfMap(const VoxelGrid& grid, double truncation_m)
 TsdfBlock& TsdfMap::Allocate(int block) {
   if (!blocks_[block]) blocks_[block] = std::make_unique<TsdfBlock>();  // value-initialised: unknown
   return *blocks_[block];
+}
+
+void TsdfMap::GrowTo(const Eigen::AlignedBox3d& box_W) {
+  Eigen::AlignedBox3d volume_W = grid_.volume_W();
+  if (volume_W.contains(box_W)) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double more_m = volume_W.sizes()[axis] / 2;
+    if (box_W.min()[axis] < volume_W.min()[axis]) volume_W.min()[axis] = box_W.min()[axis] - more_m;
+    if (box_W.max()[axis] > volume_W.max()[axis]) volume_W.max()[axis] = box_W.max()[axis] + more_m;
+  }
+  const VoxelGrid larger = GridAround(grid_.voxel_m(), volume_W);
+  const VoxelIndex shift =
+      ((grid_.origin_W() - larger.origin_W()) / grid_.voxel_m()).array().round().cast<int>();
+  std::vector<std::unique_ptr<TsdfBlock>> blocks(static_cast<std::size_t>(larger.num_blocks()));
+  std::vector<std::uint32_t> version(blocks.size(), 0);
+  for (int block = 0; block < grid_.num_blocks(); ++block) {
+    const int to = larger.Block(grid_.BlockOrigin(block) + shift);
+    blocks[to] = std::move(blocks_[block]);
+    version[to] = version_[block];
+  }
+  grid_ = larger;
+  blocks_ = std::move(blocks);
+  version_ = std::move(version);
 }
 
 MapBlock TsdfMap::Quantise(int block, const Quantisation& quantisation) const {

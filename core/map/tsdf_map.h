@@ -53,6 +53,10 @@ class TsdfMap {
     version_[block] = version;
   }
 
+  /// Makes the grid, one of GridAround(), hold a box: half as large again on the sides where it has to grow,
+  /// so that it seldom has to. Numbers of blocks change.
+  void GrowTo(const Eigen::AlignedBox3d& box_W);
+
   /// Counts up whenever a scan changed the block; 0: never.
   std::uint32_t version(int block) const { return version_[block]; }
   void MarkChanged(int block) { ++version_[block]; }

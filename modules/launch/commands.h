@@ -41,6 +41,14 @@ struct CutOptions {
   std::string channels;                ///< regular expression that matches the whole of a channel; empty: all
 };
 
+/// Recorded clouds, and what to make of them.
+struct FuseOptions {
+  std::string scans, poses, out;
+  double voxel_m = 0.25;
+  double truncation_m = 0;  ///< 0: two voxels
+  double range_max_m = 30;
+};
+
 // One function a command, in a file of its own. @return the exit code. @throws whatever makes it a set-up
 // problem
 
@@ -54,6 +62,7 @@ int ExplainDecision(const ExplainOptions& options);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
 int RunSweep(const SweepOptions& options);
+int Fuse(const FuseOptions& options);
 int CompareResults(const std::string& a, const std::string& b);
 /// @param seconds to listen before it prints once; 0: redrawn until Ctrl-C on a terminal
 int Top(const SourceOptions& source, double seconds);

@@ -122,6 +122,31 @@ struct ExplainCommand {
   }
 };
 
+struct FuseCommand {
+  FuseOptions options;
+
+  explicit FuseCommand(CLI::App& app) {
+    app.add_option("--scans", options.scans,
+                   "Clouds in the sensor frame, in order of name: .bin (KITTI), .ply, .pcd")
+        ->required()
+        ->type_name("DIR");
+    app.add_option("--poses", options.poses, "Of the sensor: t x y z qx qy qz qw, a line a scan")
+        ->required()
+        ->type_name("FILE.tum");
+    app.add_option("--out", options.out, "Where mesh.ply, map.bt and metrics.json go")
+        ->required()
+        ->type_name("DIR");
+    app.add_option("--voxel", options.voxel_m, "Edge of a voxel")->type_name("METRES")->capture_default_str();
+    app.add_option("--truncation", options.truncation_m,
+                   "Band on either side of a surface; default two voxels")
+        ->type_name("METRES")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--range-max", options.range_max_m, "Points farther away are left out")
+        ->type_name("METRES")
+        ->capture_default_str();
+  }
+};
+
 int Main(int argc, char** argv) {
   CLI::App app{
       "A fleet of UAVs rebuilds an unknown place in 3D, to the fidelity asked for, in the least flight.",
@@ -169,6 +194,10 @@ int Main(int argc, char** argv) {
   CLI::App* sweep = app.add_subcommand("sweep", "Fly many missions and write tables and figures");
   SweepCommand sweep_command(*sweep);
   sweep->final_callback([&] { exit_code = RunSweep(sweep_command.options); });
+
+  CLI::App* fuse = app.add_subcommand("fuse", "Recorded LiDAR scans and poses into a map and a mesh");
+  FuseCommand fuse_command(*fuse);
+  fuse->final_callback([&] { exit_code = Fuse(fuse_command.options); });
 
   CLI::App* compare = app.add_subcommand("compare", "What differs between two runs, or two sweeps");
   std::string compare_a, compare_b;

@@ -11,6 +11,7 @@
 #include "core/map/mission_grid.h"
 #include "core/map/ply.h"
 #include "core/quality/map_quality.h"
+#include "fusion/cloud_image.h"
 #include "fusion/surface_mesh.h"
 #include "fusion/teammate_filter.h"
 #include "modules/codec/bad_message.h"
@@ -46,13 +47,14 @@ MapFusionModule::MapFusionModule(const ModuleContext& context)
       health_(context.health),
       hearer_(context.map_hearer),
       fuser_(MissionGrid(config_), config_.map.truncation_m, MissionQuantisation(config_),
-             PolicyOf(config_.map)),
+             PolicyOf(config_.map), config_.quality_goals()),
       rotation_(fuser_.map().grid().num_blocks(),
                 static_cast<int>(std::floor(config_.map.rotation_s * config_.map.publish_hz))),
       surface_(fuser_.map().grid(), MissionQuantisation(config_), config_.quality_goals()),
       no_view_left_(static_cast<std::size_t>(config_.mission.uavs), false),
       states_(bus_.HearAll(channels::kUavState)),
       scans_(bus_.HearAll(channels::kLidarScan)),
+      clouds_(bus_.HearAll(channels::kPointCloud)),
       fleet_statuses_(bus_.HearAll(channels::kFleetStatus)),
       publish_(1 / config_.map.publish_hz),
       progress_(1 / kProgress_hz) {
@@ -99,7 +101,7 @@ void MapFusionModule::HearFleet() {
   }
 }
 
-void MapFusionModule::IntegrateScans() {
+std::vector<std::pair<int, LidarScan>> MapFusionModule::TakeScans() {
   std::vector<std::pair<int, LidarScan>> scans;
   for (const auto& [uav, message] : scans_->Take()) {
     try {
@@ -108,10 +110,22 @@ void MapFusionModule::IntegrateScans() {
       bus_.Reject(channels::kLidarScan.Of(uav), error.what());
     }
   }
+  for (const auto& [uav, message] : clouds_->Take()) {
+    try {
+      if (const std::optional<PointCloud> cloud = chunks_.Hear(uav, message))
+        scans.emplace_back(uav, fusion::Binned(*cloud, config_.lidar.model));
+    } catch (const BadMessage& error) {
+      bus_.Reject(channels::kPointCloud.Of(uav), error.what());
+    }
+  }
   std::stable_sort(scans.begin(), scans.end(), [](const auto& a, const auto& b) {
     return std::tie(a.second.measured, a.first) < std::tie(b.second.measured, b.first);
   });
-  for (auto& [uav, scan] : scans) {
+  return scans;
+}
+
+void MapFusionModule::IntegrateScans() {
+  for (auto& [uav, scan] : TakeScans()) {
     const Stopwatch stopwatch;
     fusion::DropTeammates(scan, positions_.Others(uav, scan.measured));
     fuser_.Integrate(scan);
@@ -121,7 +135,11 @@ void MapFusionModule::IntegrateScans() {
 
 void MapFusionModule::QueueBlocks() {
   std::vector<MapBlock> blocks;
-  for (const int index : rotation_.Next(fuser_.TakeChanged())) blocks.push_back(*fuser_.Said(index));
+  const std::vector<int> changed = fuser_.TakeChanged(), next = rotation_.Next(changed);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (i >= changed.size()) fuser_.Renew(next[i]);
+    blocks.push_back(*fuser_.Said(next[i]));
+  }
   for (citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks))
     blocks_to_say_.push_back(std::move(message));
   summary_to_say_ = Encode(fuser_.Summary());
@@ -170,8 +188,11 @@ void MapFusionModule::WriteResults() {
     // What was fused since the last publication belongs to the octree, too.
     PlanningMap whole = hearer_->map();
     fuser_.TakeChanged();
-    for (int block = 0; block < whole.grid().num_blocks(); ++block)
-      if (const MapBlock* said = fuser_.Said(block)) whole.Apply(*said);
+    for (int block = 0; block < whole.grid().num_blocks(); ++block) {
+      if (!fuser_.Said(block)) continue;
+      fuser_.Renew(block);
+      whole.Apply(*fuser_.Said(block));
+    }
     whole.Update();
     octree_.Update(whole);
     octree_.WriteBt(config_.launch.out + "/map.bt");

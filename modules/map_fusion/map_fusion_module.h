@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/map/occupancy_tree.h"
@@ -11,15 +12,16 @@
 #include "fusion/block_rotation.h"
 #include "fusion/map_fuser.h"
 #include "modules/channels.h"
+#include "modules/map_fusion/cloud_chunks.h"
 #include "modules/map_fusion/fleet_positions.h"
 #include "modules/map_hearer.h"
 #include "modules/runtime/module.h"
 
 namespace citrine {
 
-/// The base station. Hears UAV*_LIDAR_SCAN (and where the UAVs are); says MAP_BLOCKS, MAP_SUMMARY, MAP_OCTREE
-/// and MISSION_PROGRESS; writes mesh.ply, map.bt and map.tsdf when the mission is over, or it is told to end;
-/// started again in the same mission, it goes on from the latter.
+/// The base station. Hears UAV*_LIDAR_SCAN and UAV*_POINT_CLOUD (and where the UAVs are); says MAP_BLOCKS,
+/// MAP_SUMMARY, MAP_OCTREE and MISSION_PROGRESS; writes mesh.ply, map.bt and map.tsdf when the mission is
+/// over, or it is told to end; started again in the same mission, it goes on from the latter.
 class MapFusionModule : public Module {
  public:
   static constexpr const char* kName = "map_fusion";
@@ -35,6 +37,8 @@ class MapFusionModule : public Module {
  private:
   void GoOnFromSavedMap();
   void HearFleet();
+  /// Scans and clouds that have come, with the UAV that took each, in the order in which they were taken.
+  std::vector<std::pair<int, LidarScan>> TakeScans();
   void IntegrateScans();
   void QueueBlocks();
   void SayQueued();
@@ -53,10 +57,12 @@ class MapFusionModule : public Module {
   ActiveSurface surface_;
   OccupancyTree octree_;
   FleetPositions positions_;
+  CloudChunks chunks_;
   std::vector<bool> no_view_left_;  ///< by UAV id - 1
 
   std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
   std::shared_ptr<Inbox<citrine_lcm::lidar_scan_t>> scans_;
+  std::shared_ptr<Inbox<citrine_lcm::point_cloud_t>> clouds_;
   std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> fleet_statuses_;
 
   Every publish_, progress_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -5,6 +6,7 @@
 #include <octomap/OcTree.h>
 
 #include "core/map/planning_map.h"
+#include "fusion/block_rotation.h"
 #include "fusion/map_fuser.h"
 #include "fusion/surface_mesh.h"
 #include "modules/codec/map_blocks.h"
@@ -47,22 +49,25 @@ Cloud CloudOf(const LidarScan& scan) {
   return cloud;
 }
 
-void Integration(const test::HouseFlight& flight, int rows, int cols, double voxel_m, int scans) {
+/// @param carve  whether beams without return carve, too; OctoMap hears of returns alone
+void Integration(const test::HouseFlight& flight, int rows, int cols, double voxel_m, int scans, bool carve) {
   fusion::MapFuser fuser = Fuser(voxel_m);
   octomap::OcTree tree(voxel_m);
   Samples ours, octomap, points;
-  for (const LidarScan& scan : flight.Scans(rows, cols)) {
+  for (LidarScan& scan : flight.Scans(rows, cols)) {
     if (static_cast<int>(ours.values.size()) == scans) break;
+    if (!carve) std::replace(scan.ranges_m.begin(), scan.ranges_m.end(), kNoReturn, kInvalid);
     const Cloud cloud = CloudOf(scan);
     ours.Add(TimeMs([&] { fuser.Integrate(scan); }));
     octomap.Add(TimeMs([&] { tree.insertPointCloud(cloud.points, cloud.origin, -1, false, true); }));
     points.Add(static_cast<double>(cloud.points.size()));
   }
   std::printf(
-      "integration %2dx%3d, %.2f m: %6.3f ms a scan (median %6.3f), OctoMap %7.3f (%7.3f): %5.1fx; %zu scans "
+      "integration %2dx%3d, %.2f m, %s: %6.3f ms a scan (median %6.3f), OctoMap %7.3f (%7.3f): %5.1fx; %zu "
+      "scans "
       "of %.0f returns\n",
-      rows, cols, voxel_m, ours.mean(), ours.median(), octomap.mean(), octomap.median(),
-      octomap.sum() / ours.sum(), ours.values.size(), points.mean());
+      rows, cols, voxel_m, carve ? "carving" : "returns", ours.mean(), ours.median(), octomap.mean(),
+      octomap.median(), octomap.sum() / ours.sum(), ours.values.size(), points.mean());
 }
 
 void Print(const char* who, const test::MapScore& score) {
@@ -125,6 +130,34 @@ void Fields(const test::HouseFlight& flight) {
               bytes.mean());
 }
 
+/// What the base station says of the map while three UAVs each fly a third of the tour, ten scans a second:
+/// changed blocks and a twentieth of the rest twice a second, and the mesh in pieces as a viewer follows it.
+void Traffic(const test::HouseFlight& flight) {
+  const std::vector<LidarScan> scans = flight.Scans(32, 512);
+  fusion::MapFuser fuser = Fuser(0.25);
+  fusion::BlockRotation rotation(fuser.map().grid().num_blocks(), 20);
+  fusion::BlockMeshes meshes(fuser.map());
+  Samples bytes, changed_blocks, pieces_ms;
+  const std::size_t third = scans.size() / 3;
+  for (std::size_t i = 0; i < third; ++i) {
+    for (const std::size_t uav : {0u, 1u, 2u}) fuser.Integrate(scans[i + uav * third]);
+    if (i % 5 != 4) continue;
+    const std::vector<int> changed = fuser.TakeChanged(), next = rotation.Next(changed);
+    std::vector<MapBlock> blocks;
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      if (k >= changed.size()) fuser.Renew(next[k]);
+      blocks.push_back(*fuser.Said(next[k]));
+    }
+    double sum = 0;
+    for (const auto& message : EncodeInMessages(blocks)) sum += message.getEncodedSize();
+    bytes.Add(sum);
+    changed_blocks.Add(static_cast<double>(changed.size()));
+    pieces_ms.Add(TimeMs([&] { meshes.Update(changed); }));
+  }
+  std::printf("traffic: %.1f kB/s, %.0f changed blocks at a time; their mesh %.2f ms\n", 2e-3 * bytes.mean(),
+              changed_blocks.mean(), pieces_ms.mean());
+}
+
 void Mesh(const test::HouseFlight& flight) {
   fusion::MapFuser fuser = Fuser(0.25);
   for (const LidarScan& scan : flight.Scans(64, 720)) fuser.Integrate(scan);
@@ -140,13 +173,15 @@ int Main(int argc, char** argv) {
   const test::HouseFlight flight;
   const auto asked = [&](const char* part) { return argc < 2 || std::strstr(argv[1], part) != nullptr; };
   if (asked("integration")) {
-    Integration(flight, 64, 720, 0.25, test::HouseFlight::kPoses);
-    Integration(flight, 16, 360, 0.25, test::HouseFlight::kPoses);
-    Integration(flight, 32, 512, 0.25, test::HouseFlight::kPoses);
-    Integration(flight, 64, 720, 0.10, 40);
+    for (const bool carve : {false, true}) {
+      Integration(flight, 64, 720, 0.25, test::HouseFlight::kPoses, carve);
+      Integration(flight, 16, 360, 0.25, test::HouseFlight::kPoses, carve);
+      Integration(flight, 64, 720, 0.10, 40, carve);
+    }
   }
   if (asked("fields")) Fields(flight);
   if (asked("mesh")) Mesh(flight);
+  if (asked("traffic")) Traffic(flight);
   if (asked("accuracy"))
     for (const auto& [rows, cols] : {std::pair{64, 720}, {32, 512}, {16, 360}}) Accuracy(flight, rows, cols);
   return 0;

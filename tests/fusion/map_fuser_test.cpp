@@ -43,6 +43,43 @@ TEST(MapFuser, SaysABlockAgainOnlyWhenItsCodesHaveChanged) {
   EXPECT_GT(fuser.map_version(), version);
 }
 
+TEST(MapFuser, SaysWhatDecidesAtOnceAndSmallDriftsInTurn) {
+  MapFuser fuser(Grid(), 0.5, Codes(), WeightPolicy::kBestView);
+  const AnalyticScene scene = Scene();
+  Random random(1);
+  const auto noisy = [&](double x) {
+    fuser.Integrate(scene.Scan({{x, 0, 2.5}, Eigen::Quaterniond::Identity()}, {}, 1.5e-4, &random));
+  };
+  for (int k = 0; k < 20; ++k) noisy(0);
+  fuser.TakeChanged();
+  for (int k = 0; k < 20; ++k) noisy(0);
+  fuser.TakeChanged();
+  int behind = 0, known = 0;
+  for (int block = 0; block < Grid().num_blocks(); ++block) {
+    const MapBlock* said = fuser.Said(block);
+    if (!said) continue;
+    ++known;
+    const MapBlock now = fuser.map().Quantise(block, Codes());
+    behind += said->distance != now.distance || said->weight != now.weight;
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      const double said_m = Codes().Distance(said->distance[i]), now_m = Codes().Distance(now.distance[i]);
+      EXPECT_EQ(said->distance[i] == kUnknownCode, now.distance[i] == kUnknownCode);
+      if (now.distance[i] == kUnknownCode) continue;
+      EXPECT_EQ(said_m > 0.25, now_m > 0.25);
+      EXPECT_EQ(said_m < 0.125, now_m < 0.125);
+      EXPECT_EQ(said->weight[i] == 255, now.weight[i] == 255);
+      EXPECT_NEAR(said_m, now_m, MapFuser::kStillDistance * 0.5 / 127 + 1e-9);
+    }
+  }
+  EXPECT_GT(behind, 0);  // noise goes on, and is not said
+  for (int block = 0; block < Grid().num_blocks(); ++block) {
+    if (!fuser.Said(block)) continue;
+    fuser.Renew(block);
+    EXPECT_EQ(fuser.Said(block)->distance, fuser.map().Quantise(block, Codes()).distance);
+  }
+  EXPECT_EQ(fuser.num_blocks_said(), known);
+}
+
 TEST(BlockRotation, HealsAHearerThatLostMessagesWithinOneRound) {
   MapFuser fuser(Grid(), 0.5, Codes(), WeightPolicy::kBestView);
   BlockRotation rotation(Grid().num_blocks(), 10);

@@ -1,6 +1,8 @@
 #include "fusion/surface_mesh.h"
 
 #include <map>
+#include <numeric>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +71,38 @@ TEST(SurfaceMesh, IncludesAGroundOnTheLowerFaceOfTheVolume) {
   const TriMesh mesh = SurfaceMesh(map);
   ASSERT_FALSE(mesh.triangles.empty());
   for (const Eigen::Vector3f& p : mesh.vertices_W) EXPECT_LT(p.z(), 0.01f);
+}
+
+std::multiset<std::array<float, 9>> Corners(const TriMesh& mesh) {
+  std::multiset<std::array<float, 9>> corners;
+  for (const auto& t : mesh.triangles) {
+    std::array<float, 9> nine;
+    for (int k = 0; k < 9; ++k) nine[k] = mesh.vertices_W[t[k / 3]][k % 3];
+    corners.insert(nine);
+  }
+  return corners;
+}
+
+TEST(BlockMeshes, FollowAMapThatChangesAndTogetherAreItsWholeMesh) {
+  TsdfMap map = Ball({3, 3, 3}, 1.5);
+  BlockMeshes meshes(map);
+  std::vector<int> all(static_cast<std::size_t>(map.grid().num_blocks()));
+  std::iota(all.begin(), all.end(), 0);
+  const auto together = [&] {
+    std::multiset<std::array<float, 9>> corners;
+    for (const int block : all) corners.merge(Corners(meshes.Of(block)));
+    return corners;
+  };
+  EXPECT_FALSE(meshes.Update(all).empty());
+  EXPECT_EQ(together(), Corners(SurfaceMesh(map)));
+  EXPECT_TRUE(meshes.Update(all).empty());
+  // A bump in one block, at its lower corner, so that the cells of its neighbours below change as well.
+  const int block = map.grid().Block(map.grid().IndexOf({4.5, 3, 3}));
+  for (int i = 0; i < kBlockVoxels; ++i) map.Find(block)->distance_m[i] -= 0.05f;
+  const std::vector<int> differ = meshes.Update({block});
+  EXPECT_LE(differ.size(), 8u);
+  EXPECT_TRUE(std::find(differ.begin(), differ.end(), block) != differ.end());
+  EXPECT_EQ(together(), Corners(SurfaceMesh(map)));
 }
 
 TEST(CubeCases, NeighbouringCubesAgreeOnTheFaceBetweenThem) {

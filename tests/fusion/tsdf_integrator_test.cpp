@@ -279,18 +279,49 @@ TEST(TsdfIntegrator, MakesNoPhantomsBeyondTheEdgesOfABox) {
   EXPECT_EQ(phantoms, 0);
 }
 
-TEST(TsdfIntegrator, IsTheSameBitForBitWhenRepeated) {
+TEST(TsdfIntegrator, IsTheSameBitForBitWhenRepeatedAndForAnyNumberOfThreads) {
   AnalyticScene scene;
+  scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0.0);
   scene.AddSphere({0, 0, 4}, 2.0);
-  TsdfMap a(Grid(), kTruncation_m), b(Grid(), kTruncation_m);
-  for (TsdfMap* map : {&a, &b})
-    for (int i = 0; i < 3; ++i)
-      TsdfIntegrator(*map, WeightPolicy::kPerScan).Integrate(scene.Scan(At(-6, i, 4)));
-  for (int block = 0; block < a.grid().num_blocks(); ++block) {
-    ASSERT_EQ(a.Find(block) == nullptr, b.Find(block) == nullptr);
-    if (!a.Find(block)) continue;
-    EXPECT_EQ(std::memcmp(a.Find(block), b.Find(block), sizeof(TsdfBlock)), 0);
+  TsdfMap once(Grid(), kTruncation_m);
+  TsdfIntegrator first(once, WeightPolicy::kPerScan);
+  std::vector<std::vector<int>> changed;
+  for (int i = 0; i < 3; ++i) changed.push_back(first.Integrate(scene.Scan(At(-6, i, 4))));
+  for (const int threads : {1, 2, 3, 8}) {
+    TsdfMap again(Grid(), kTruncation_m);
+    TsdfIntegrator integrator(again, WeightPolicy::kPerScan, threads);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(integrator.Integrate(scene.Scan(At(-6, i, 4))), changed[i]);
+    for (int block = 0; block < once.grid().num_blocks(); ++block) {
+      ASSERT_EQ(once.Find(block) == nullptr, again.Find(block) == nullptr);
+      if (!once.Find(block)) continue;
+      EXPECT_EQ(std::memcmp(once.Find(block), again.Find(block), sizeof(TsdfBlock)), 0) << threads;
+    }
   }
+}
+
+TEST(TsdfIntegrator, SkipsOnlyWhatItWouldNotHaveChanged) {
+  // A map whose bricks all count as unclear is looked at voxel by voxel.
+  AnalyticScene scene;
+  scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0.0);
+  scene.AddBox({3, -2, 0}, {5, 2, 3});
+  TsdfMap skipping(Grid(), kTruncation_m), looking(Grid(), kTruncation_m);
+  TsdfIntegrator a(skipping, WeightPolicy::kBestView), b(looking, WeightPolicy::kBestView);
+  for (int i = 0; i < 12; ++i) {
+    const LidarScan scan = scene.Scan(At(-5 + 0.5 * i, -3 + 0.3 * i, 2.5, 0.05, 0.03, 0.2 * i));
+    for (int block = 0; block < looking.grid().num_blocks(); ++block)
+      if (TsdfBlock* known = looking.Find(block)) known->clear_bricks = 0;
+    a.Integrate(scan);
+    b.Integrate(scan);
+  }
+  int differ = 0, known = 0;
+  ForEachVoxel(skipping.grid(), [&](const VoxelIndex& v) {
+    const Voxel with = At(skipping, v), without = At(looking, v);
+    if (!with.known() && !without.known()) return;
+    ++known;
+    differ += with.known() != without.known() || std::abs(with.distance_m - without.distance_m) > 0.02;
+  });
+  EXPECT_GT(known, 50000);
+  EXPECT_LT(differ, 0.001 * known);
 }
 
 }  // namespace

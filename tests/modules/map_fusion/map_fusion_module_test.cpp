@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/map/ply.h"
+#include "modules/codec/bad_message.h"
 #include "modules/codec/lidar_scan.h"
 #include "modules/codec/map_summary.h"
+#include "modules/codec/point_cloud.h"
 #include "modules/codec/uav_state.h"
 #include "tests/support/analytic_scene.h"
 
@@ -91,6 +93,82 @@ TEST_F(MapFusion, KeepsTeammatesOutOfTheMap) {
       occupied += map.state(i) == VoxelState::kOccupied &&
                   scene_.Distance(map.grid().Centre(map.grid().FromLinear(i))) > 0.75;
   EXPECT_EQ(occupied, 0);
+}
+
+TEST_F(MapFusion, HasTheSameMapInWhateverOrderScansOfAnInstantArrive) {
+  std::vector<std::uint64_t> digests;
+  for (const bool reversed : {false, true}) {
+    auto transport = std::make_shared<Transport>("memq://");
+    Bus uavs(transport), station(transport);
+    auto hearer = std::make_shared<MapHearer>(config_, station);
+    MapFusionModule module(ModuleContext{config_, station, health_, 0, hearer});
+    for (std::int64_t k = 1; k <= 60; ++k) {
+      const Step step{k, k * 20'000, false};
+      for (Bus* bus : {&uavs, &station}) bus->BeginStep(step, true);
+      for (int i = 0; i < 2 && k % 5 == 0; ++i) {
+        const int uav = reversed ? 2 - i : 1 + i;
+        LidarScan scan = scene_.Scan({config_.mission.spawns_m[uav - 1] + Eigen::Vector3d(0, 0.01 * k, 0),
+                                      Eigen::Quaterniond::Identity()});
+        scan.measured = step.now;
+        uavs.Publish(channels::kLidarScan, uav, Encode(scan));
+      }
+      module.Tick(step);
+      while (uavs.Handle(0) > 0) {
+      }
+    }
+    digests.push_back(hearer->map().Digest());
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
+TEST_F(MapFusion, HearsPointCloudsInChunks) {
+  Begin();
+  const LidarScan scan = scene_.Scan({{-2, 0, 2.5}, Eigen::Quaterniond::Identity()});
+  PointCloud cloud{.measured = 0, .X_WS = scan.X_WS, .range_min_m = 0.42, .range_max_m = 10, .points_S = {}};
+  for (int row = 0; row < scan.model.rows; ++row)
+    for (int col = 0; col < scan.model.cols; ++col)
+      if (const float r = scan.ranges_m[row * scan.model.cols + col]; r > 0)
+        cloud.points_S.push_back((scan.model.Direction(row, col) * r).cast<float>());
+  for (int k = 0; k < 60; ++k) {
+    if (k % 10 == 0) {
+      cloud.measured = 1 + k;
+      auto chunks = EncodeInMessages(cloud);
+      ASSERT_GT(chunks.size(), 1u);
+      std::reverse(chunks.begin(), chunks.end());
+      for (const auto& chunk : chunks) uavs_.Publish(channels::kPointCloud, 1, chunk);
+    }
+    Tick(false);
+  }
+  const PlanningMap& map = own_hearer_->map();
+  EXPECT_EQ(map.state(map.grid().Linear(map.grid().IndexOf({0.1, 2.9, 1.6}))), VoxelState::kOccupied);
+  EXPECT_EQ(map.state(map.grid().Linear(map.grid().IndexOf({-1.5, 1.2, 2.1}))), VoxelState::kEmpty);
+  // Beams that are missing carve nothing: above the horizon nothing was seen.
+  EXPECT_EQ(map.state(map.grid().Linear(map.grid().IndexOf({-6, 0, 4}))), VoxelState::kUnknown);
+  EXPECT_EQ(station_.counts().bad, 0);
+}
+
+TEST(CloudChunks, TakeASweepThatLostAChunkOnceTheNextBegins) {
+  PointCloud cloud{.measured = 5, .X_WS = {}, .range_min_m = 0.42, .range_max_m = 10, .points_S = {}};
+  cloud.points_S.assign(6000, Eigen::Vector3f(1, 2, 3));
+  const auto first = EncodeInMessages(cloud);
+  ASSERT_EQ(first.size(), 3u);
+  CloudChunks chunks;
+  EXPECT_FALSE(chunks.Hear(1, first[0]));
+  EXPECT_FALSE(chunks.Hear(1, first[0]));  // twice is once
+  EXPECT_FALSE(chunks.Hear(1, first[2]));
+  cloud.measured = 6;
+  const auto second = EncodeInMessages(cloud);
+  const auto cut = chunks.Hear(1, second[0]);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->measured, 5);
+  EXPECT_EQ(static_cast<int>(cut->points_S.size()), first[0].num_points + first[2].num_points);
+  EXPECT_FALSE(chunks.Hear(2, second[1]));  // another UAV's
+  EXPECT_FALSE(chunks.Hear(1, second[1]));
+  const auto whole = chunks.Hear(1, second[2]);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->points_S.size(), 6000u);
+  EXPECT_FALSE(chunks.Hear(1, second[2]));
+  EXPECT_THROW(chunks.Hear(1, first[1]), BadMessage);
 }
 
 TEST_F(MapFusion, FillsAHearerThatJoinsLate) {
