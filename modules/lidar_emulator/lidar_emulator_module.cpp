@@ -7,7 +7,7 @@
 #include "modules/codec/bad_message.h"
 #include "modules/codec/lidar_scan.h"
 #include "modules/codec/uav_state.h"
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 #include "sim/world/world.h"
 
 namespace citrine {
@@ -43,7 +43,7 @@ void LidarEmulatorModule::Tick(const Step& step) {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     Sensor& sensor = sensors_[i];
     if (!sensor.newest || sensor.scanned == sensor.newest->utime || !sensor.every.Due(step.now)) continue;
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     const LidarScan scan =
         emulator_.Scan(sensor.newest->utime, sensor.newest->X_WB, TeammatesOf(i), sensor.noise);
     sensor.scanned = scan.measured;

@@ -23,7 +23,7 @@
 #include "modules/codec/octree.h"
 #include "modules/codec/saved_map.h"
 #include "modules/codec/uav_state.h"
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 
 namespace citrine {
 namespace {
@@ -126,7 +126,7 @@ std::vector<std::pair<int, LidarScan>> MapFusionModule::TakeScans() {
 
 void MapFusionModule::IntegrateScans() {
   for (auto& [uav, scan] : TakeScans()) {
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     fusion::DropTeammates(scan, positions_.Others(uav, scan.measured));
     fuser_.Integrate(scan);
     health_.Sample("integration_ms", stopwatch.ms());
@@ -181,7 +181,7 @@ void MapFusionModule::SayProgress() {
 void MapFusionModule::WriteResults() {
   if (config_.launch.out.empty()) return;
   try {
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     WritePly(config_.launch.out + "/mesh.ply", fusion::SurfaceMesh(fuser_.map()));
     health_.Sample("mesh_ms", stopwatch.ms());
     WriteSavedMap(config_.launch.out + kSavedMap, fuser_.map(), fuser_.integrations(), config_);

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <ctime>
+#include <chrono>
 
 namespace citrine {
 
-/// Computing time of this thread, for Health alone: what else the host does meanwhile does not count.
+/// Time of the wall: for waiting and pacing, never for a decision of the mission.
 class Stopwatch {
  public:
-  double ms() const { return Now() - start_; }
+  double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
-  static double Now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-  }
-  double start_ = Now();
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace citrine

@@ -1,6 +1,6 @@
 #include "modules/topdown_renderer/topdown_renderer_module.h"
 
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 
 namespace citrine {
 
@@ -28,7 +28,7 @@ void TopdownRendererModule::Tick(const Step& step) {
   if (window_) ShowInWindow(frame);
   if (!picture && !(frame && wants_video_)) return;
 
-  const Stopwatch stopwatch;
+  const CpuStopwatch stopwatch;
   Write(renderer_.Draw(scene_.Finish()), picture, frame && wants_video_);
   if (step.last) video_.reset();
   health_.Sample("frame_ms", stopwatch.ms());

@@ -11,7 +11,7 @@
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
 #include "modules/map_hearer.h"
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 
 namespace citrine {
 
@@ -37,7 +37,7 @@ planner::SolveMotion Measured(const MissionConfig& config, Health& health) {
   return [smoother = planner::Smoother(config.smoother.evaluations_max), &health](
              const planner::FlightScene& scene, const planner::FlightWeights& weights,
              const planner::SmoothingTask& task, const planner::SmoothingResult* warm) {
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     planner::SmoothingResult result = smoother.Solve(scene, weights, task, warm);
     health.Sample("smoothing_ms", stopwatch.ms());
     return result;
@@ -65,7 +65,7 @@ TrajectorySmootherModule::TrajectorySmootherModule(const ModuleContext& context)
 void TrajectorySmootherModule::Tick(const Step& step) {
   const bool map_changed = map_hearer_->Update(step);
   HearAll();
-  const Stopwatch stopwatch;
+  const CpuStopwatch stopwatch;
   executive_.Act(step.now, map_changed);
   if (executive_.planned()) health_.Sample("smooth_plan_ms", stopwatch.ms());
   SayTrajectory(step.now);

@@ -8,7 +8,7 @@
 #include "modules/codec/map_summary.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 #include "sim/world/world.h"
 
 namespace citrine {
@@ -48,7 +48,7 @@ UavDynamicsModule::UavDynamicsModule(const ModuleContext& context)
 void UavDynamicsModule::Tick(const Step& step) {
   HearTrajectories();
   if (step.now > simulated_) {
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     fleet_.Step(simulated_, Seconds(step.now - simulated_));
     simulated_ = step.now;
     health_.Sample("dynamics_ms", stopwatch.ms());

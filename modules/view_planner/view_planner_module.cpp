@@ -10,7 +10,7 @@
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
 #include "modules/map_hearer.h"
-#include "modules/runtime/stopwatch.h"
+#include "modules/runtime/cpu_stopwatch.h"
 
 namespace citrine {
 
@@ -61,7 +61,7 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
 
 std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                                 const std::vector<PlanningMap::Ball>& avoid) {
-  const Stopwatch stopwatch;
+  const CpuStopwatch stopwatch;
   std::optional<Path> path = path_search_.Find(start_W, goal_W, avoid);
   path_ms_ += stopwatch.ms();
   health_.Sample("path_ms", stopwatch.ms());
@@ -85,12 +85,12 @@ void ViewPlannerModule::Tick(const Step& step) {
   const bool map_changed = map_hearer_->Update(step);
   HearAll(step.now);
   if (map_changed) {
-    const Stopwatch stopwatch;
+    const CpuStopwatch stopwatch;
     planner_.HearMap(step.now);
     health_.Sample("surface_ms", stopwatch.ms());
   }
   path_ms_ = 0;
-  const Stopwatch stopwatch;
+  const CpuStopwatch stopwatch;
   const planner::ViewPlanner::Outcome outcome = planner_.Tick(step.now, map_hearer_->map_version());
   if (outcome.decided) {
     health_.Sample("replan_ms", stopwatch.ms() - path_ms_);
