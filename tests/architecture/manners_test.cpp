@@ -51,7 +51,8 @@ TEST(Manners, NoPathOfSomebodysMachine) { ExpectNowhere(R"("/(home|root|tmp|work
 
 TEST(Manners, NoWallClockDecides) {
   ExpectNowhere(R"(\b(steady_clock|system_clock|high_resolution_clock|gettimeofday|clock_gettime)\b)",
-                {"modules/runtime/stopwatch.h", "modules/runtime/wall_pacer.h", "modules/launch/"});
+                {"modules/runtime/cpu_stopwatch.h", "modules/runtime/stopwatch.h",
+                 "modules/runtime/wall_pacer.h", "modules/launch/"});
 }
 
 TEST(Manners, NoChanceWithoutASeed) {
