@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kParallel = "parallel";
+constexpr const char* kJobShell = "PARALLEL_SHELL=/bin/sh";  // whatever the user's, and where there is none
 constexpr std::chrono::milliseconds kPoll{200};
 constexpr int kStartNoMore = SIGHUP;  // to GNU Parallel
 constexpr std::size_t kJobLogFields =
@@ -47,6 +48,7 @@ std::vector<std::string> ArgumentsOf(const ParallelOptions& options, const fs::p
   std::vector<std::string> arguments = {"env",
                                         "-C",
                                         ProjectFolder(),
+                                        kJobShell,
                                         kParallel,
                                         "--will-cite",
                                         "--arg-file",

@@ -20,6 +20,7 @@ class ParallelRuns : public ::testing::Test {
  protected:
   /// A program that writes its arguments to <--out>/said, and ends with 3 for seed 2.
   ParallelRuns() {
+    unsetenv("SHELL");  // as where nobody is logged in
     options_.folder = file_.folder();
     options_.program = Script("fly",
                               "for word; do last=$word; done\n"
