@@ -5,9 +5,9 @@
 
 #include "core/map/mission_grid.h"
 #include "modules/channels.h"
-#include "modules/codec/bad_message.h"
 #include "modules/codec/map_blocks.h"
 #include "modules/codec/map_summary.h"
+#include "modules/hear_nouns.h"
 
 namespace citrine {
 
@@ -47,32 +47,22 @@ bool MapHearer::Update(const Step& step) {
 }
 
 void MapHearer::Impl::HearBlocks() {
-  for (const auto& entry : blocks->Take()) {
-    try {
-      const std::vector<MapBlock> heard = Decode(entry.message);
-      for (const MapBlock& block : heard)
-        Require(block.index < map.grid().num_blocks(), "map_blocks_t: a block outside the mission's grid");
-      for (const MapBlock& block : heard) map.Apply(block);
-    } catch (const BadMessage& error) {
-      bus.Reject(channels::kMapBlocks.name, error.what());
-    }
-  }
+  HearNouns(bus, channels::kMapBlocks, *blocks, [this](const std::vector<MapBlock>& heard, Utime) {
+    for (const MapBlock& block : heard)
+      Require(block.index < map.grid().num_blocks(), "map_blocks_t: a block outside the mission's grid");
+    for (const MapBlock& block : heard) map.Apply(block);
+  });
 }
 
 void MapHearer::Impl::HearSummaries() {
   std::optional<MapSummary> newest;
-  for (const auto& entry : summaries->Take()) {
-    try {
-      const MapSummary summary = Decode(entry.message);
-      Require(summary.grid == map.grid(), "map_summary_t: another grid than the mission's");
-      Require(summary.truncation_m == map.quantisation().truncation_m() &&
-                  summary.weight_max == map.quantisation().weight_max(),
-              "map_summary_t: other codes than the mission's");
-      newest = summary;
-    } catch (const BadMessage& error) {
-      bus.Reject(channels::kMapSummary.name, error.what());
-    }
-  }
+  HearNouns(bus, channels::kMapSummary, *summaries, [&](const MapSummary& summary, Utime) {
+    Require(summary.grid == map.grid(), "map_summary_t: another grid than the mission's");
+    Require(summary.truncation_m == map.quantisation().truncation_m() &&
+                summary.weight_max == map.quantisation().weight_max(),
+            "map_summary_t: other codes than the mission's");
+    newest = summary;
+  });
   if (newest) Compare(*newest);
 }
 

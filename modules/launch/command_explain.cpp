@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 
 int ExplainDecision(const ExplainOptions& options) {
   CountInterrupts();
-  const fs::path log =
-      fs::is_directory(options.run) ? fs::path(options.run) / "mission.lcmlog" : fs::path(options.run);
+  const fs::path log = FindLog(options.run);
   const RecordedMission mission = ReadMission(log);
   const int uavs = mission.config.mission.uavs;
   if (options.uav < 1 || options.uav > uavs) {

@@ -7,7 +7,8 @@
 
 namespace citrine {
 
-int ExportLog(const std::string& log, const std::string& to, const std::string& out) {
+int ExportLog(const std::string& folder_or_log, const std::string& to, const std::string& out) {
+  const std::string log = FindLog(folder_or_log);
   const RecordedMission mission = ReadMission(log);
   const std::string path = out.empty() ? std::filesystem::path(log).replace_extension(to).string() : out;
   const McapSize size = ExportMcap(mission, path);

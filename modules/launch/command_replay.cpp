@@ -99,7 +99,9 @@ bool ComparePicture(const fs::path& drawn, const fs::path& recorded) {
   return false;
 }
 
-int ReplayInto(const ModuleKind& kind, const RecordedMission& mission, const ReplayOptions& options) {
+/// @param beside where the recording's own results are
+int ReplayInto(const ModuleKind& kind, const RecordedMission& mission, const fs::path& beside,
+               const ReplayOptions& options) {
   MissionConfig config = mission.config;
   const bool draws = kind.name == "topdown_renderer";
   const fs::path scratch = fs::temp_directory_path() / ("citrine-replay-" + std::to_string(getpid()));
@@ -111,8 +113,7 @@ int ReplayInto(const ModuleKind& kind, const RecordedMission& mission, const Rep
   bool same = true;
   for (int uav = kind.per_uav ? 1 : 0; uav <= (kind.per_uav ? config.mission.uavs : 0); ++uav)
     same &= ReplayInto(kind, uav, mission, config, options.speed);
-  if (draws)
-    same &= ComparePicture(out / "topdown.png", fs::absolute(options.log).parent_path() / "topdown.png");
+  if (draws) same &= ComparePicture(out / "topdown.png", beside / "topdown.png");
   if (draws && options.out.empty()) fs::remove_all(scratch);
   if (Interrupts() > 0) return kInterrupted;
   return same ? kCompleted : kNotCompleted;
@@ -122,13 +123,14 @@ int ReplayInto(const ModuleKind& kind, const RecordedMission& mission, const Rep
 
 int ReplayLog(const ReplayOptions& options) {
   CountInterrupts();
-  const RecordedMission mission = ReadMission(options.log);
+  const std::string log = FindLog(options.log);
+  const RecordedMission mission = ReadMission(log);
   SayFlaws(mission.flaws);
   if (options.into.empty()) return PlayOnBus(mission, options.speed > 0 ? options.speed : 1);
   const std::vector<ModuleKind> kinds = ModuleList();
   const auto kind = std::find_if(kinds.begin(), kinds.end(),
                                  [&](const ModuleKind& each) { return each.name == options.into; });
-  return ReplayInto(*kind, mission, options);
+  return ReplayInto(*kind, mission, fs::absolute(log).parent_path(), options);
 }
 
 }  // namespace citrine

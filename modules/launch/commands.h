@@ -36,7 +36,7 @@ struct SpyOptions {
 
 /// What `log cut` keeps.
 struct CutOptions {
-  std::string log, to;
+  std::string log, to;                 ///< a log or a result folder; the log to write
   std::optional<double> from_s, to_s;  ///< mission time, both included
   std::string channels;                ///< regular expression that matches the whole of a channel; empty: all
 };
@@ -57,7 +57,7 @@ int Doctor();
 int ShowKeys();
 int ShowWorld(const std::string& file);
 /// @param to "mcap"  @param out file to write; empty: beside the log
-int ExportLog(const std::string& log, const std::string& to, const std::string& out);
+int ExportLog(const std::string& folder_or_log, const std::string& to, const std::string& out);
 int ExplainDecision(const ExplainOptions& options);
 int ReplayLog(const ReplayOptions& options);
 int Report(const std::string& folder_or_log);
@@ -69,8 +69,8 @@ int Top(const SourceOptions& source, double seconds);
 int EchoChannel(const EchoOptions& options);
 /// Becomes lcm-spy; comes back by an exception alone.
 int Spy(const SpyOptions& options);
-int LogInfo(const std::string& log);
-int LogCheck(const std::string& log);
+int LogInfo(const std::string& folder_or_log);
+int LogCheck(const std::string& folder_or_log);
 int LogCut(const CutOptions& options);
 
 }  // namespace citrine

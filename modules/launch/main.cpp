@@ -83,9 +83,7 @@ struct ReplayCommand {
   ReplayOptions options;
 
   explicit ReplayCommand(CLI::App& app) {
-    app.add_option("log", options.log, "A recording: mission.lcmlog of a result folder")
-        ->required()
-        ->type_name("LOG");
+    app.add_option("recording", options.log, "A log or result folder")->required()->type_name("RUN|LOG");
     auto* into =
         app.add_option("--into", options.into,
                        "Feed it into the real module and compare what that says; without: onto the bus")
@@ -108,7 +106,7 @@ struct ExplainCommand {
   ExplainOptions options;
 
   explicit ExplainCommand(CLI::App& app) {
-    app.add_option("run", options.run, "Result folder or log")->required()->type_name("RUN");
+    app.add_option("recording", options.run, "A log or result folder")->required()->type_name("RUN|LOG");
     app.add_option("--uav", options.uav, "Whose decision")->required()->type_name("I");
     app.add_option("--decision", options.decision, "Which of its selections of a view, from 1")
         ->required()
@@ -174,7 +172,9 @@ int Main(int argc, char** argv) {
   replay->final_callback([&] { exit_code = ReplayLog(replay_command.options); });
   std::string exported, to, export_out;
   CLI::App* export_command = app.add_subcommand("export", "Write a recorded mission for other programs");
-  export_command->add_option("log", exported, "A recording")->required()->type_name("LOG");
+  export_command->add_option("recording", exported, "A log or result folder")
+      ->required()
+      ->type_name("RUN|LOG");
   export_command->add_option("--to", to, "mcap: for Foxglove, Rerun and PlotJuggler")
       ->required()
       ->type_name("FORMAT")
@@ -187,7 +187,7 @@ int Main(int argc, char** argv) {
   ExplainCommand explain_command(*explain);
   explain->final_callback([&] { exit_code = ExplainDecision(explain_command.options); });
   CLI::App* report = app.add_subcommand("report", "Write the results of a recorded mission anew");
-  report->add_option("results", results, "Result folder or log")->required()->type_name("DIR|LOG");
+  report->add_option("recording", results, "A log or result folder")->required()->type_name("RUN|LOG");
   report->final_callback([&] { exit_code = Report(results); });
   AddWatchCommands(app, exit_code);
 

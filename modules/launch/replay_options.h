@@ -6,7 +6,7 @@ namespace citrine {
 
 /// What the user of `replay` asks for.
 struct ReplayOptions {
-  std::string log;
+  std::string log;   ///< or a result folder
   std::string into;  ///< a kind of module; empty: onto the bus
   double speed =
       0;  ///< mission seconds a second of the wall; 0: 1 on the bus, as fast as it goes into a module

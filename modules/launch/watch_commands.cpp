@@ -22,7 +22,7 @@ void AddTop(CLI::App& app, int& exit_code) {
   auto source = std::make_shared<SourceOptions>();
   auto seconds = std::make_shared<double>(0);
   CLI::App* top = app.add_subcommand("top", "Channels of a bus or a log: type, rate, bytes, lost, age");
-  top->add_option("log", source->log, "A log or result folder; without one, the bus")->type_name("LOG");
+  top->add_option("log", source->log, "A log or result folder; without one, the bus")->type_name("RUN|LOG");
   AddBus(*top, *source);
   top->add_option("--seconds", *seconds,
                   "Listen so long and print once; default on a terminal: redraw until Ctrl-C")
@@ -49,7 +49,7 @@ void AddEcho(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("CHANNEL");
   echo->add_option("log", options->source.log, "A log or result folder; without one, the bus")
-      ->type_name("LOG");
+      ->type_name("RUN|LOG");
   AddBus(*echo, options->source);
   echo->add_option("--count", options->count, "End after so many")->check(CLI::PositiveNumber);
   echo->add_flag("--json", options->json, "One line of JSON a message");
@@ -61,15 +61,15 @@ void AddLog(CLI::App& app, int& exit_code) {
   log->require_subcommand(1);
   auto path = std::make_shared<std::string>();
   CLI::App* info = log->add_subcommand("info", "Duration, mission, commit, channels, rates, gaps");
-  info->add_option("log", *path, "A log or result folder")->required()->type_name("LOG");
+  info->add_option("log", *path, "A log or result folder")->required()->type_name("RUN|LOG");
   info->final_callback([=, &exit_code] { exit_code = LogInfo(*path); });
   CLI::App* check =
       log->add_subcommand("check", "Damage, gaps, what does not decode; ends with 3 if there is any");
-  check->add_option("log", *path, "A log or result folder")->required()->type_name("LOG");
+  check->add_option("log", *path, "A log or result folder")->required()->type_name("RUN|LOG");
   check->final_callback([=, &exit_code] { exit_code = LogCheck(*path); });
   auto cut = std::make_shared<CutOptions>();
   CLI::App* piece = log->add_subcommand("cut", "Write a piece: some time, some channels");
-  piece->add_option("log", cut->log, "A log or result folder")->required()->type_name("LOG");
+  piece->add_option("log", cut->log, "A log or result folder")->required()->type_name("RUN|LOG");
   piece->add_option("out", cut->to, "The log to write")->required()->type_name("OUT");
   piece->add_option("--from", cut->from_s, "Mission time at which it begins")->type_name("SECONDS");
   piece->add_option("--to", cut->to_s, "Mission time at which it ends")->type_name("SECONDS");

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "modules/channels.h"
-#include "modules/codec/bad_message.h"
 #include "modules/codec/lidar_scan.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/runtime/cpu_stopwatch.h"
 #include "sim/world/world.h"
 
@@ -53,16 +53,11 @@ void LidarEmulatorModule::Tick(const Step& step) {
 }
 
 void LidarEmulatorModule::HearStates() {
-  for (auto& [uav, message] : states_->Take()) {
-    if (uav < 1 || uav > static_cast<int>(sensors_.size())) continue;
-    try {
-      UavState state = Decode(message);
-      std::optional<UavState>& newest = sensors_[static_cast<std::size_t>(uav) - 1].newest;
-      if (!newest || state.utime > newest->utime) newest = state;
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kUavState.Of(uav), error.what());
-    }
-  }
+  HearNouns(bus_, channels::kUavState, static_cast<int>(sensors_.size()), *states_,
+            [this](int uav, const UavState& state, Utime) {
+              std::optional<UavState>& newest = sensors_[static_cast<std::size_t>(uav) - 1].newest;
+              if (!newest || state.utime > newest->utime) newest = state;
+            });
 }
 
 /// Where the others were, by the newest that each has said: at the same instant, unless a message was lost.

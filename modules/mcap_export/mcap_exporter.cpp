@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "modules/codec/bad_message.h"
 #include "modules/codec/fleet_assignment.h"
 #include "modules/codec/fleet_status.h"
 #include "modules/codec/lidar_scan.h"
@@ -12,6 +11,7 @@
 #include "modules/codec/path.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/mcap_export/foxglove_words.h"
 #include "viz/palette.h"
 
@@ -92,18 +92,6 @@ McapExporter::McapExporter(const ModuleContext& context, logs::McapWriter& write
   }
 }
 
-template <class Message, class Take>
-void McapExporter::Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take) {
-  for (const auto& [id, message] : inbox.Take()) {
-    if (id < 1 || id > static_cast<int>(uavs_.size())) continue;
-    try {
-      take(id, Decode(message), message.utime);
-    } catch (const BadMessage& error) {
-      bus_.Reject(channel.Of(id), error.what());
-    }
-  }
-}
-
 void McapExporter::Tick(const Step& step) {
   map_hearer_->Update(step);
   HearStates();
@@ -117,8 +105,8 @@ void McapExporter::Tick(const Step& step) {
 
 void McapExporter::HearStates() {
   std::map<Utime, std::map<std::string, Pose>> X_WB_by_frame;
-  Hear(channels::kUavState, *states_, [&](int id, const UavState& state, Utime utime) {
-    Uav& uav = uavs_[static_cast<std::size_t>(id - 1)];
+  HearNouns(bus_, channels::kUavState, num_uavs(), *states_, [&](int id, const UavState& state, Utime utime) {
+    Uav& uav = UavOf(id);
     if (uav.state) uav.flown_m += (state.X_WB.p - uav.state->X_WB.p).norm();
     uav.state = state;
     X_WB_by_frame[utime][FrameOf(id)] = state.X_WB;
@@ -128,57 +116,50 @@ void McapExporter::HearStates() {
 }
 
 void McapExporter::HearScans() {
-  Hear(channels::kLidarScan, *scans_, [&](int id, const LidarScan& scan, Utime) {
-    const Uav& uav = uavs_[static_cast<std::size_t>(id - 1)];
+  HearNouns(bus_, channels::kLidarScan, num_uavs(), *scans_, [&](int id, const LidarScan& scan, Utime) {
+    const Uav& uav = UavOf(id);
     writer_.Write(uav.cloud, scan.measured, Said(scan.measured, CloudOf(scan, viz::UavColour(id))));
   });
 }
 
 void McapExporter::HearPlans() {
-  Hear(channels::kPath, *paths_, [&](int id, const Path& path, Utime) {
-    Uav& uav = uavs_[static_cast<std::size_t>(id - 1)];
+  HearNouns(bus_, channels::kPath, num_uavs(), *paths_, [&](int id, const Path& path, Utime) {
+    Uav& uav = UavOf(id);
     uav.plan_changed |= !uav.path || path.id != uav.path->id;
     uav.path = path;
   });
-  Hear(channels::kTrajectory, *trajectories_, [&](int id, const Trajectory& trajectory, Utime) {
-    Uav& uav = uavs_[static_cast<std::size_t>(id - 1)];
-    uav.plan_changed |= !uav.trajectory || trajectory.id != uav.trajectory->id;
-    uav.trajectory = trajectory;
-  });
-  Hear(channels::kFleetStatus, *statuses_, [&](int id, const FleetStatus& status, Utime) {
-    Uav& uav = uavs_[static_cast<std::size_t>(id - 1)];
-    uav.plan_changed |=
-        !uav.status || status.has_goal != uav.status->has_goal || status.goal_W != uav.status->goal_W;
-    uav.status = status;
-  });
+  HearNouns(bus_, channels::kTrajectory, num_uavs(), *trajectories_,
+            [&](int id, const Trajectory& trajectory, Utime) {
+              Uav& uav = UavOf(id);
+              uav.plan_changed |= !uav.trajectory || trajectory.id != uav.trajectory->id;
+              uav.trajectory = trajectory;
+            });
+  HearNouns(
+      bus_, channels::kFleetStatus, num_uavs(), *statuses_, [&](int id, const FleetStatus& status, Utime) {
+        Uav& uav = UavOf(id);
+        uav.plan_changed |=
+            !uav.status || status.has_goal != uav.status->has_goal || status.goal_W != uav.status->goal_W;
+        uav.status = status;
+      });
 }
 
 void McapExporter::HearFleet() {
-  for (const auto& entry : assignments_->Take()) {
-    try {
-      const FleetAssignment assignment = Decode(entry.message);
-      std::vector<Drawing> centroids;
-      for (std::size_t i = 0; i < assignment.centroid_W_by_uav.size(); ++i) {
-        const int id = static_cast<int>(i) + 1;
-        centroids.push_back({"centroid of " + FrameOf(id),
-                             viz::UavColour(id),
-                             {},
-                             0,
-                             {assignment.centroid_W_by_uav[i]},
-                             0.8});
-      }
-      writer_.Write(fleet_, entry.message.utime, Said(entry.message.utime, centroids));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kFleetAssignment.name, error.what());
-    }
-  }
-  for (const auto& entry : progress_->Take()) {
-    try {
-      writer_.Write(progress_topic_, entry.message.utime, Said(entry.message.utime, Decode(entry.message)));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kMissionProgress.name, error.what());
-    }
-  }
+  HearNouns(bus_, channels::kFleetAssignment, *assignments_,
+            [this](const FleetAssignment& assignment, Utime utime) {
+              std::vector<Drawing> centroids;
+              for (int id = 1; id <= static_cast<int>(assignment.centroid_W_by_uav.size()); ++id)
+                centroids.push_back({"centroid of " + FrameOf(id),
+                                     viz::UavColour(id),
+                                     {},
+                                     0,
+                                     {assignment.centroid_W_by_uav[static_cast<std::size_t>(id - 1)]},
+                                     0.8});
+              writer_.Write(fleet_, utime, Said(utime, centroids));
+            });
+  HearNouns(bus_, channels::kMissionProgress, *progress_,
+            [this](const MissionProgress& progress, Utime utime) {
+              writer_.Write(progress_topic_, utime, Said(utime, progress));
+            });
 }
 
 void McapExporter::WriteFlights(Utime now) {

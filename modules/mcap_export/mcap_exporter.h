@@ -43,6 +43,8 @@ class McapExporter : public Module {
     bool plan_changed = false;
   };
 
+  Uav& UavOf(int id) { return uavs_[static_cast<std::size_t>(id - 1)]; }
+  int num_uavs() const { return config_.mission.uavs; }
   void HearStates();
   void HearScans();
   void HearPlans();
@@ -50,10 +52,6 @@ class McapExporter : public Module {
   void WriteFlights(Utime now);
   void WritePlans(Utime now);
   void WriteSurface(Utime now);
-
-  /// Hands every message of an inbox that means something to `take(uav, noun, utime)`; counts the others.
-  template <class Message, class Take>
-  void Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take);
 
   const MissionConfig config_;
   Bus& bus_;

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "modules/channels.h"
-#include "modules/codec/bad_message.h"
 #include "modules/codec/fleet_assignment.h"
 #include "modules/codec/fleet_status.h"
 #include "modules/codec/mission_progress.h"
 #include "modules/codec/path.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/map_hearer.h"
 
 namespace citrine {
@@ -21,6 +21,7 @@ constexpr double kTrailSpacing_m = 0.1;
 
 SceneHearer::SceneHearer(const ModuleContext& context)
     : bus_(context.bus),
+      uavs_(context.config.mission.uavs),
       map_hearer_(context.map_hearer),
       surface_(map_hearer_->map().grid(), map_hearer_->map().quantisation(), context.config.quality_goals()),
       states_(bus_.HearAll(channels::kUavState)),
@@ -43,29 +44,19 @@ SceneHearer::SceneHearer(const ModuleContext& context)
   }
 }
 
-template <class Message, class Take>
-void SceneHearer::Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take) {
-  for (auto& [id, message] : inbox.Take()) {
-    if (id < 1 || id > static_cast<int>(scene_.uavs.size())) continue;
-    try {
-      take(scene_.uavs[static_cast<std::size_t>(id - 1)], Decode(message));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channel.Of(id), error.what());
-    }
-  }
-}
-
 void SceneHearer::Update(const Step& step) {
   scene_.now = step.now;
   map_hearer_->Update(step);
   HearStates();
   HearPlans();
   HearAssignments();
+  ForgetWhatIsOver(step.last);
   HearProgress();
 }
 
 void SceneHearer::HearStates() {
-  Hear(channels::kUavState, *states_, [](viz::SceneUav& uav, const UavState& state) {
+  HearNouns(bus_, channels::kUavState, uavs_, *states_, [this](int id, const UavState& state, Utime) {
+    viz::SceneUav& uav = UavOf(id);
     uav.state = state;
     const Eigen::Vector3d& p_W = state.X_WB.p;
     const double moved_m = uav.trail_W.empty() ? 0 : (p_W - uav.trail_W.back()).norm();
@@ -76,48 +67,46 @@ void SceneHearer::HearStates() {
 }
 
 void SceneHearer::HearPlans() {
-  Hear(channels::kPath, *paths_, [](viz::SceneUav& uav, Path&& path) { uav.path = std::move(path); });
-  Hear(channels::kTrajectory, *trajectories_, [](viz::SceneUav& uav, Trajectory&& trajectory) {
-    if (!uav.trajectory || Supersedes(trajectory, *uav.trajectory)) uav.trajectory = std::move(trajectory);
-  });
-  Hear(channels::kFleetStatus, *statuses_,
-       [](viz::SceneUav& uav, const FleetStatus& status) { uav.status = status; });
+  HearNouns(bus_, channels::kPath, uavs_, *paths_,
+            [this](int id, Path&& path, Utime) { UavOf(id).path = std::move(path); });
+  HearNouns(bus_, channels::kTrajectory, uavs_, *trajectories_,
+            [this](int id, Trajectory&& trajectory, Utime) {
+              std::optional<Trajectory>& newest = UavOf(id).trajectory;
+              if (!newest || Supersedes(trajectory, *newest)) newest = std::move(trajectory);
+            });
+  HearNouns(bus_, channels::kFleetStatus, uavs_, *statuses_,
+            [this](int id, const FleetStatus& status, Utime) { UavOf(id).status = status; });
 }
 
 void SceneHearer::HearAssignments() {
-  for (const auto& entry : assignments_->Take()) {
-    try {
-      const FleetAssignment assignment = Decode(entry.message);
-      if (assignment.plan_id < newest_plan_) continue;
-      newest_plan_ = assignment.plan_id;
-      assignment_expiry_ = assignment.expiry;
-      for (std::size_t i = 0; i < std::min(scene_.uavs.size(), assignment.centroid_W_by_uav.size()); ++i) {
-        scene_.uavs[i].centroid_W = assignment.centroid_W_by_uav[i];
-      }
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kFleetAssignment.name, error.what());
-    }
-  }
+  HearNouns(bus_, channels::kFleetAssignment, *assignments_, [this](const FleetAssignment& heard, Utime) {
+    if (heard.plan_id < newest_plan_) return;
+    newest_plan_ = heard.plan_id;
+    assignment_expiry_ = heard.expiry;
+    for (std::size_t i = 0; i < std::min(scene_.uavs.size(), heard.centroid_W_by_uav.size()); ++i)
+      scene_.uavs[i].centroid_W = heard.centroid_W_by_uav[i];
+  });
+}
+
+/// A correction of the balance is over for a UAV that has made its selections or knows a newer one, for all
+/// when its time has run out, and with the mission.
+void SceneHearer::ForgetWhatIsOver(bool mission_is_over) {
+  const bool for_all = mission_is_over || scene_.now > assignment_expiry_;
   for (viz::SceneUav& uav : scene_.uavs) {
-    const bool over =
-        uav.status && uav.status->plan_id == newest_plan_ && uav.status->corrected_selections_left == 0;
-    if (over || scene_.now > assignment_expiry_) uav.centroid_W.reset();
+    const bool done =
+        uav.status && (uav.status->plan_id > newest_plan_ ||
+                       (uav.status->plan_id == newest_plan_ && uav.status->corrected_selections_left == 0));
+    if (for_all || done) uav.centroid_W.reset();
   }
 }
 
 void SceneHearer::HearProgress() {
-  for (const auto& entry : progress_->Take()) {
-    try {
-      scene_.progress = Decode(entry.message);
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kMissionProgress.name, error.what());
-      continue;
-    }
-    const MissionProgress& progress = scene_.progress;
-    if (progress.surface_voxels == 0) continue;
-    scene_.history.push_back({Seconds(entry.message.utime),
-                              static_cast<double>(progress.voxels_at_goal) / progress.surface_voxels});
-  }
+  HearNouns(bus_, channels::kMissionProgress, *progress_, [this](const MissionProgress& heard, Utime utime) {
+    scene_.progress = heard;
+    if (heard.surface_voxels == 0) return;
+    scene_.history.push_back(
+        {Seconds(utime), static_cast<double>(heard.voxels_at_goal) / heard.surface_voxels});
+  });
 }
 
 const viz::Scene& SceneHearer::Finish() {

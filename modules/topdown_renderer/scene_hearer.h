@@ -28,17 +28,15 @@ class SceneHearer {
   const viz::Scene& Finish();
 
  private:
+  viz::SceneUav& UavOf(int id) { return scene_.uavs[static_cast<std::size_t>(id - 1)]; }
   void HearStates();
   void HearPlans();
   void HearAssignments();
+  void ForgetWhatIsOver(bool mission_is_over);
   void HearProgress();
 
-  /// Takes every message of an inbox, decodes it and hands those of the fleet over; counts what means
-  /// nothing.
-  template <class Message, class Take>
-  void Hear(const UavChannel<Message>& channel, Inbox<Message>& inbox, const Take& take);
-
   Bus& bus_;
+  int uavs_;
   std::shared_ptr<MapHearer> map_hearer_;
   ActiveSurface surface_;
   viz::Scene scene_;

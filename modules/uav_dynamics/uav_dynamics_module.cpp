@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "modules/channels.h"
-#include "modules/codec/bad_message.h"
 #include "modules/codec/fleet_status.h"
 #include "modules/codec/map_summary.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/runtime/cpu_stopwatch.h"
 #include "sim/world/world.h"
 
@@ -58,36 +58,20 @@ void UavDynamicsModule::Tick(const Step& step) {
 }
 
 void UavDynamicsModule::HearTrajectories() {
-  for (auto& [uav, message] : trajectories_->Take()) {
-    if (uav < 1 || uav > fleet_.uavs()) continue;
-    std::optional<Trajectory>& newest = newest_trajectory_[static_cast<std::size_t>(uav - 1)];
-    try {
-      Trajectory trajectory = Decode(message);
-      if (newest && !Supersedes(trajectory, *newest)) continue;
-      newest = trajectory;
-      fleet_.Follow(uav, std::move(trajectory));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kTrajectory.Of(uav), error.what());
-    }
-  }
+  HearNouns(bus_, channels::kTrajectory, fleet_.uavs(), *trajectories_,
+            [this](int uav, Trajectory&& trajectory, Utime) {
+              std::optional<Trajectory>& newest = newest_trajectory_[static_cast<std::size_t>(uav - 1)];
+              if (newest && !Supersedes(trajectory, *newest)) return;
+              newest = trajectory;
+              fleet_.Follow(uav, std::move(trajectory));
+            });
 }
 
 void UavDynamicsModule::HearTheEnd(Utime now) {
-  for (const auto& entry : map_summaries_->Take()) {
-    try {
-      const MapSummary summary = Decode(entry.message);
-      end_.HearMap(summary.map_version, summary.digest);
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kMapSummary.name, error.what());
-    }
-  }
-  for (const auto& [uav, message] : fleet_statuses_->Take()) {
-    try {
-      end_.Hear(uav, Decode(message));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kFleetStatus.Of(uav), error.what());
-    }
-  }
+  HearNouns(bus_, channels::kMapSummary, *map_summaries_,
+            [this](const MapSummary& summary, Utime) { end_.HearMap(summary.map_version, summary.digest); });
+  HearNouns(bus_, channels::kFleetStatus, kEveryUav, *fleet_statuses_,
+            [this](int uav, const FleetStatus& status, Utime) { end_.Hear(uav, status); });
   if (!stop_reason_) stop_reason_ = end_.At(now);
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kGolden = CITRINE_SOURCE_DIR "/logs/golden/smoke_three_uavs/mission.lcmlog";
 
@@ -85,11 +86,22 @@ TEST_F(ReplayCommand, PlaysOnABusWithoutAModule) {
   EXPECT_EQ(play.exit_code, 0) << play.output;
 }
 
-TEST_F(ReplayCommand, HasASisterThatExportsALog) {
-  const std::string file = folder_ / "mission.mcap";
+TEST_F(ReplayCommand, TakesAResultFolderForTheLogInIt) {
+  fs::copy(kGolden, folder_);
+  fs::copy(fs::path(kGolden).parent_path() / "topdown.png", folder_);
+  const CommandResult replay = RunCitrine("replay " + folder_.string() + " --into topdown_renderer");
+  EXPECT_THAT(replay.output, HasSubstr("topdown.png"));
+  EXPECT_THAT(replay.output, Not(HasSubstr("is not there to compare with")));
+}
+
+TEST_F(ReplayCommand, HasASisterThatExportsALogOrAResultFolder) {
+  const std::string file = folder_ / "golden.mcap";
   const CommandResult exported = RunCitrine("export " + kGolden + " --to mcap --out " + file);
   EXPECT_EQ(exported.exit_code, 0) << exported.output;
   EXPECT_GT(fs::file_size(file), 100'000u);
+  fs::copy(kGolden, folder_);
+  EXPECT_EQ(RunCitrine("export " + folder_.string() + " --to mcap").exit_code, 0);
+  EXPECT_EQ(fs::file_size(folder_ / "mission.mcap"), fs::file_size(file));
   EXPECT_EQ(RunCitrine("export " + kGolden + " --to bag").exit_code, 1);
 }
 
@@ -97,9 +109,12 @@ TEST_F(ReplayCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(RunCitrine("replay " + kGolden + " --into uav_dynamics").exit_code, 1);
   EXPECT_EQ(RunCitrine("replay " + kGolden + " --speed 0").exit_code, 1);
   EXPECT_EQ(RunCitrine("replay " + kGolden + " --video").exit_code, 1) << "the bus draws nothing";
-  const CommandResult absent = RunCitrine("replay nowhere.lcmlog");
-  EXPECT_EQ(absent.exit_code, 2);
-  EXPECT_THAT(absent.output, HasSubstr("cannot read the log 'nowhere.lcmlog'"));
+  for (const char* command : {"replay nowhere.lcmlog", "export nowhere.lcmlog --to mcap",
+                              "explain nowhere.lcmlog --uav 1 --decision 1", "report nowhere.lcmlog"}) {
+    const CommandResult absent = RunCitrine(command);
+    EXPECT_EQ(absent.exit_code, 2) << command;
+    EXPECT_EQ(absent.output, "citrine: nowhere.lcmlog: there is no such log\n");
+  }
 }
 
 }  // namespace
