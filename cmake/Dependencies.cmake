@@ -31,3 +31,4 @@ citrine_find(Zstd::zstd zstd.h zstd)               # modules/codec, logs/mcap
 citrine_find(XXHash::xxhash xxhash.h xxhash)       # core/digest
 citrine_find(Toml::toml toml++/toml.h)             # core/config
 citrine_find(OpenCV::opencv opencv2/core.hpp opencv_core opencv_imgproc opencv_imgcodecs opencv_highgui opencv_videoio)  # viz
+citrine_find(Xcb::xcb xcb/xcb.h xcb)               # viz/display

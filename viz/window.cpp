@@ -1,18 +1,16 @@
 #include "viz/window.h"
 
-#include <cstdlib>
 #include <utility>
 
 #include <opencv2/highgui.hpp>
 
+#include "viz/display.h"
 #include "viz/frame_writer.h"
 
 namespace citrine::viz {
 
 Window::Window(std::string title) : title_(std::move(title)) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
-    throw FrameError("no window: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)");
-  }
+  if (const std::string why = WhyNoDisplay(); !why.empty()) throw FrameError("no window: " + why);
   try {
     cv::namedWindow(title_, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO | cv::WINDOW_GUI_NORMAL);
     cv::setMouseCallback(title_, &Window::OnMouse, this);

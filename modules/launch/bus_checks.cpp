@@ -6,6 +6,8 @@
 
 #include <array>
 #include <exception>
+#include <fstream>
+#include <stdexcept>
 
 #include "modules/channels.h"
 #include "modules/codec/clock.h"
@@ -14,6 +16,8 @@
 
 namespace citrine {
 namespace {
+
+constexpr long kReceiveBufferWanted_bytes = 2 << 20;
 
 /// What the child tells: one letter for each thing that works, then the other mission's name.
 constexpr char kOpens = 'o', kHears = 'h';
@@ -59,6 +63,27 @@ std::string DeafBus(const std::string& url) {
   const std::string holder = HolderOfPort(url);
   return "the bus " + url + " is deaf: UDP port " + std::to_string(PortOf(url)) + " is held by " +
          (holder.empty() ? "another program (sudo ss -ulpn names it)" : holder);
+}
+
+std::string WhyUnheard(const BusCheck& check, const std::string& url) {
+  if (!check.opens) return std::string("no multicast route.\n  mend: ") + kRouteMulticast;
+  if (!check.hears_itself) return DeafBus(url) + ".\n  mend: stop it, or " + kAnotherPort;
+  return {};
+}
+
+void RequireHeard(const std::string& url) {
+  if (!url.starts_with("udpm")) return;
+  if (const std::string why = WhyUnheard(CheckBus(url, 0), url); !why.empty()) throw std::runtime_error(why);
+}
+
+std::optional<long> ReceiveBufferLimit() {
+  long limit = 0;
+  return std::ifstream("/proc/sys/net/core/rmem_max") >> limit ? std::optional(limit) : std::nullopt;
+}
+
+std::string SmallReceiveBuffer(std::optional<long> limit) {
+  if (!limit || *limit >= kReceiveBufferWanted_bytes) return {};
+  return "receive buffer limit is " + std::to_string(*limit) + " bytes: bursts on the bus may be lost";
 }
 
 BusCheck CheckBus(const std::string& url, double listen_s) {

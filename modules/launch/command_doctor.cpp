@@ -2,9 +2,7 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "modules/launch/bus_checks.h"
@@ -13,12 +11,12 @@
 #include "modules/launch/project.h"
 #include "modules/launch/spy_parts.h"
 #include "modules/runtime/transport.h"
+#include "viz/display.h"
 
 namespace citrine {
 namespace {
 
 constexpr double kListen_s = 1.0;
-constexpr long kReceiveBufferWanted_bytes = 2 << 20;
 
 /// One line a finding; `mend` is the one command that mends it.
 class Findings {
@@ -62,14 +60,11 @@ void LookAtBus(Findings& findings) {
 
 /// Java's tools never ask for a larger buffer, so that the default counts as well.
 void LookAtReceiveBuffer(Findings& findings) {
-  long limit = 0;
-  std::ifstream("/proc/sys/net/core/rmem_max") >> limit;
-  if (limit >= kReceiveBufferWanted_bytes)
-    findings.Ok("receive buffer limit " + std::to_string(limit) + " bytes");
+  const std::optional<long> limit = ReceiveBufferLimit();
+  if (const std::string small = SmallReceiveBuffer(limit); !small.empty())
+    findings.Warn(small, kLargerReceiveBuffer);
   else
-    findings.Warn(
-        "receive buffer limit is " + std::to_string(limit) + " bytes: bursts on the bus may be lost",
-        "sudo sysctl -w net.core.rmem_max=4194304 net.core.rmem_default=4194304");
+    findings.Ok("receive buffer limit " + (limit ? std::to_string(*limit) + " bytes" : "not known"));
 }
 
 /// Tried in a child: nobody comes back from a namespace.
@@ -110,11 +105,10 @@ void LookAtDisk(Findings& findings) {
 }
 
 void LookAtDisplay(Findings& findings) {
-  if (std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"))
-    findings.Ok("a display for --view");
+  if (const std::string why = viz::WhyNoDisplay(); !why.empty())
+    findings.Warn("no window for --view: " + why + "; --video needs none", kDisplay);
   else
-    findings.Warn("no display for --view; --video needs none",
-                  "ssh -X, or xvfb-run -a ./citrine run MISSION --view");
+    findings.Ok("a display for --view");
 }
 
 }  // namespace

@@ -39,8 +39,7 @@ void SayFlaws(const RecordingFlaws& flaws) {
 int PlayOnBus(const RecordedMission& mission, double speed) {
   const std::string url = DefaultBusUrl();
   const BusCheck bus = CheckBus(url, kListen_s);
-  if (!bus.opens) throw std::runtime_error(std::string("no multicast route.\n  mend: ") + kRouteMulticast);
-  if (!bus.hears_itself) throw std::runtime_error(DeafBus(url) + ".\n  mend: stop it, or " + kAnotherPort);
+  if (const std::string why = WhyUnheard(bus, url); !why.empty()) throw std::runtime_error(why);
   if (!bus.other_mission.empty())
     throw std::runtime_error("another mission, " + bus.other_mission + ", is on the bus " + url +
                              ".\n  mend: wait for its end, or " + kAnotherPort);

@@ -13,6 +13,7 @@
 #include "modules/launch/results_table.h"
 #include "modules/launch/running_mission.h"
 #include "modules/mission_report/mission_report.h"
+#include "viz/display.h"
 
 namespace citrine {
 namespace {
@@ -28,6 +29,11 @@ std::string CacheFolder() {
 
 bool WantsOneProcess(const RunOptions& options) {
   return ParseMission(ReadMissionFile(options.mission).toml, options.overrides).launch.in_process;
+}
+
+void RequireDisplay() {
+  if (const std::string why = viz::WhyNoDisplay(); !why.empty())
+    throw std::runtime_error("no window for --view: " + why + "; --video needs none\n  mend: " + kDisplay);
 }
 
 ExitCode ExitCodeOf(const Flight& flight, const logs::Metrics& metrics) {
@@ -61,6 +67,7 @@ int RunMission(const RunOptions& asked) {
     if (!bus) options.overrides.emplace_back("launch.in_process=true");
   }
   const ResolvedMission mission = ResolveMission(options);
+  if (mission.config.launch.view && !options.by_hand) RequireDisplay();
   fs::create_directories(mission.config.launch.out);
   std::optional<RunningMission> running(std::in_place, mission.config.launch.out, bus.value_or("memq://"));
   const std::string file = PrepareResultFolder(mission);

@@ -21,6 +21,9 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
+/// How one comes by a display, for messages to the user.
+inline constexpr const char* kDisplay = "ssh -X, or xvfb-run -a ./citrine run MISSION --view";
+
 struct EchoOptions {
   SourceOptions source;
   std::string channel;  ///< a channel, or a regular expression that matches the whole of several

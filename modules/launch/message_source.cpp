@@ -1,8 +1,10 @@
 #include "modules/launch/message_source.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
+#include "modules/launch/bus_checks.h"
 #include "modules/launch/running_mission.h"
 #include "modules/runtime/log_reader.h"
 #include "modules/runtime/transport.h"
@@ -24,14 +26,21 @@ std::string FindLog(const std::string& folder_or_log) {
 }
 
 std::string FindBus(const SourceOptions& options) {
-  if (!options.run.empty()) return EnterRunningMission(options.run);
-  return options.url.empty() ? DefaultBusUrl() : options.url;
+  const std::string url = !options.run.empty()  ? EnterRunningMission(options.run)
+                          : options.url.empty() ? DefaultBusUrl()
+                                                : options.url;
+  RequireHeard(url);
+  return url;
 }
 
 void HearLog(const std::string& log, const std::function<void(const LogEvent&)>& hear) {
   LogReader reader(log);
   while (const auto event = reader.Next())
     if (!IsOfTheBus(event->channel)) hear(*event);
+  if (reader.damaged() > 0)
+    std::fprintf(stderr,
+                 "citrine: %lld damaged places of the log were skipped; ./citrine log check names them\n",
+                 static_cast<long long>(reader.damaged()));
 }
 
 void HearBus(const SourceOptions& options, const std::string& url,

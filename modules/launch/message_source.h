@@ -18,11 +18,12 @@ struct SourceOptions {
 /// @throws std::runtime_error if it is not there
 std::string FindLog(const std::string& folder_or_log);
 
-/// URL of the bus that is meant; with `run` this process has moved to its network.
-/// @throws std::runtime_error as EnterRunningMission
+/// URL of the bus that is meant, which can be heard; with `run` this process has moved to its network.
+/// @throws std::runtime_error as EnterRunningMission and RequireHeard
 std::string FindBus(const SourceOptions& options);
 
-/// Hands every message of a log to `hear`, in the order of the file, without what the bus says of itself.
+/// Hands every message of a log to `hear`, in the order of the file, without what the bus says of itself;
+/// says on stderr how many damaged places it skipped.
 void HearLog(const std::string& log, const std::function<void(const LogEvent&)>& hear);
 
 /// Hands every message on a bus to `hear` as it comes, and calls `look` at least every 100 ms, until that

@@ -31,6 +31,12 @@ void HearState(const UavState& state, MissionView::Uav& uav) {
   uav.state = state;
 }
 
+void HearStatus(const FleetStatus& status, MissionView::Uav& uav) {
+  uav.has_goal = status.has_goal;
+  uav.elements_unreachable = status.elements_unreachable;
+  uav.elements_given_up = status.elements_given_up;
+}
+
 }  // namespace
 
 void MissionView::Hear(const std::string& channel, const void* bytes, int size) try {
@@ -41,7 +47,7 @@ void MissionView::Hear(const std::string& channel, const void* bytes, int size) 
   } else if (channel == channels::kMissionProgress.name) {
     progress = DecodeAs<citrine_lcm::mission_progress_t>(bytes, size);
   } else if (uav >= 1 && uav <= uavs.size() && channel.ends_with("_FLEET_STATUS")) {
-    uavs[uav - 1].has_goal = DecodeAs<citrine_lcm::fleet_status_t>(bytes, size).has_goal;
+    HearStatus(DecodeAs<citrine_lcm::fleet_status_t>(bytes, size), uavs[uav - 1]);
   } else if (uav >= 1 && uav <= uavs.size() && channel.ends_with("_STATE")) {
     HearState(DecodeAs<citrine_lcm::uav_state_t>(bytes, size), uavs[uav - 1]);
   }

@@ -18,6 +18,7 @@ struct MissionView {
     double path_m = 0;
     double speed_mps = 0;
     bool has_goal = false;
+    std::int32_t elements_unreachable = 0, elements_given_up = 0;
   };
   static constexpr const char* kChannels = "CLOCK|MISSION_PROGRESS|UAV[0-9]+_(STATE|FLEET_STATUS)";
 

@@ -26,6 +26,8 @@ std::optional<std::string> PrivateBus() {
 }  // namespace
 
 std::optional<std::string> ChooseBus(bool isolate) {
+  if (const std::string small = SmallReceiveBuffer(ReceiveBufferLimit()); !small.empty())
+    std::fprintf(stderr, "citrine: %s\n  mend: %s\n", small.c_str(), kLargerReceiveBuffer);
   if (isolate) return PrivateBus();
   const std::string url = DefaultBusUrl();
   const BusCheck bus = CheckBus(url, kListen_s);
@@ -36,9 +38,8 @@ std::optional<std::string> ChooseBus(bool isolate) {
                  kRouteMulticast);
     return PrivateBus();
   }
-  if (!bus.hears_itself)
-    throw std::runtime_error(DeafBus(url) + ".\n  mend: stop it, or " + kAnotherPort +
-                             "\n  or fly on a private network: --isolate");
+  if (const std::string why = WhyUnheard(bus, url); !why.empty())
+    throw std::runtime_error(why + "\n  or fly on a private network: --isolate");
   if (!bus.other_mission.empty())
     throw std::runtime_error("another mission, " + bus.other_mission + ", is on the bus " + url +
                              ".\n  mend: wait for its end, or " + kAnotherPort +

@@ -117,6 +117,20 @@ class ProcessFlight {
     progress_.Finish();
   }
 
+  /// Names who missed most, if anybody missed anything.
+  void SayLosses() const {
+    std::int64_t all = 0;
+    for (const auto& [name, lost] : lost_) all += lost;
+    if (all == 0) return;
+    const auto most = std::max_element(lost_.begin(), lost_.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    std::fprintf(
+        stderr,
+        "citrine: bus: %lld messages were lost, %lld of them at %s: a slow host or a small buffer, see "
+        "./citrine doctor\n",
+        static_cast<long long>(all), static_cast<long long>(most->second), most->first.c_str());
+  }
+
   std::string StopReason() const {
     if (death_) return "module_died";
     if (Interrupts() > 0) return "interrupted";
@@ -171,6 +185,7 @@ class ProcessFlight {
     }
     const std::string name = health.module + (health.uav > 0 ? std::to_string(health.uav) : "");
     if (health.state == citrine_lcm::module_health_t::DONE && view_.done()) waited_for_.erase(name);
+    lost_[name] = health.messages_lost;
     answered_[name] = Stopwatch();
     silent_.erase(name);
   }
@@ -193,6 +208,7 @@ class ProcessFlight {
   std::set<std::string>
       waited_for_;  ///< modules that are started by hand and have not said that they are done
   std::map<std::string, Stopwatch> answered_;  ///< when each module was last heard
+  std::map<std::string, std::int64_t> lost_;   ///< messages that each module has missed so far
   std::set<std::string> silent_;               ///< of them, those that have been named
   Supervisor supervisor_;
   Bus bus_;
@@ -223,6 +239,7 @@ Flight FlyInProcesses(const ResolvedMission& mission, const std::string& mission
     processes.Watch();
     flight.wall_time_s = stopwatch.ms() / 1e3;
     processes.WindDown();
+    processes.SayLosses();
     flight.stop_reason = processes.StopReason();
     flight.death = processes.death();
   }

@@ -46,6 +46,10 @@ std::string ProgressText(const MissionView& view, double real_time_factor) {
 ProgressLine::ProgressLine(std::FILE* out) : out_(out), terminal_(isatty(fileno(out)) == 1) {}
 
 void ProgressLine::Show(const MissionView& view) {
+  if (const std::optional<std::string> stall = stall_.Look(view)) {
+    Finish();
+    std::fprintf(out_, "citrine: %s\n", stall->c_str());
+  }
   const Clock::time_point now = Clock::now();
   if (now < next_ || (!terminal_ && !view.clock)) return;
   next_ = now + (terminal_ ? kRedraw : kLine);

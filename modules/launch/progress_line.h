@@ -5,6 +5,7 @@
 #include <string>
 
 #include "modules/launch/mission_view.h"
+#include "modules/launch/stall_watch.h"
 
 namespace citrine {
 
@@ -13,7 +14,7 @@ namespace citrine {
 std::string ProgressText(const MissionView& view, double real_time_factor);
 
 /// Says how a mission goes: on a terminal one line that is redrawn at most 10 times a second, elsewhere a
-/// line every 5 s.
+/// line every 5 s; and, in a line of its own, that it gets no further.
 class ProgressLine {
  public:
   explicit ProgressLine(std::FILE* out);
@@ -30,6 +31,7 @@ class ProgressLine {
   std::FILE* out_;
   bool terminal_;
   bool line_open_ = false;
+  StallWatch stall_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point next_;
 };

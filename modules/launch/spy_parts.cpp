@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "modules/launch/project.h"
+#include "viz/display.h"
 
 namespace citrine {
 namespace {
@@ -18,7 +19,8 @@ std::string MissingOnes(const fs::path& jar) {
            " default-jre" + kInTheTerminal;
   if (std::system("java -version >/dev/null 2>&1") != 0)
     return std::string("needs java\n  mend: sudo apt-get install default-jre") + kInTheTerminal;
-  if (!std::getenv("DISPLAY")) return std::string("needs a display (DISPLAY is not set)") + kInTheTerminal;
+  if (const std::string why = viz::WhyNoDisplay(); !why.empty())
+    return "needs a display: " + why + kInTheTerminal;
   if (!fs::exists(jar)) return "needs " + jar.string() + "\n  mend: ./citrine spy, which builds it";
   return {};
 }

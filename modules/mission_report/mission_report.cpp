@@ -159,7 +159,7 @@ logs::Metrics WriteReport(const std::string& out_dir, const ReportInputs& inputs
 ReportInputs InputsFromLog(const std::string& log_path) {
   const Recording recording = ReadRecording(ReadInOrder(log_path));
   if (!recording.config)
-    throw std::runtime_error(log_path + ": holds no MISSION_CONFIG; give the mission with -P");
+    throw std::runtime_error(log_path + ": holds no MISSION_CONFIG, so nobody knows what was flown");
   ReportInputs inputs;
   inputs.log_path = log_path;
   inputs.config = ParseMission(recording.config->toml, recording.config->overrides);

@@ -1,12 +1,14 @@
 #include "modules/runtime/transport.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
-
-#include <unistd.h>
 
 #include "modules/runtime/stopwatch.h"
 
@@ -16,6 +18,20 @@ namespace {
 constexpr long kReceiveBuffer_bytes = 2 << 20;  // what 40 messages of 250 kB at 20 Hz need to arrive whole
 constexpr double kDeafAfter_ms = 2000;
 constexpr const char* kProbeChannel = "BUS_PROBE";
+
+/// LCM tells a missing route in a dozen lines on stderr; one of ours says the same.
+lcm_t* CreateQuietly(const std::string& url) {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC),
+            saved = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0);
+  std::fflush(stderr);
+  dup2(nowhere, STDERR_FILENO);
+  lcm_t* const lcm = lcm_create(url.c_str());
+  std::fflush(stderr);
+  dup2(saved, STDERR_FILENO);
+  close(nowhere);
+  close(saved);
+  return lcm;
+}
 
 }  // namespace
 
@@ -29,8 +45,9 @@ std::string DefaultBusUrl() {
          std::to_string(std::min(granted, kReceiveBuffer_bytes));
 }
 
-Transport::Transport(const std::string& url) : url_(url), lcm_(lcm_create(url.c_str())) {
+Transport::Transport(const std::string& url) : url_(url), lcm_(CreateQuietly(url)) {
   if (lcm_) return;
+  if (!url.starts_with("udpm")) throw std::runtime_error("cannot open the bus '" + url + "'");
   throw std::runtime_error("cannot open the bus '" + url +
                            "'; without a multicast route: sudo ip link set lo multicast on && "
                            "sudo ip route add 224.0.0.0/4 dev lo");

@@ -50,6 +50,7 @@ TEST(Layering, MeetsEachThirdPartyLibraryInOnePlace) {
       {"opencv2", {"viz/"}},
       {"sdf", {"sim/world"}},
       {"toml++", {"core/config"}},
+      {"xcb", {"viz/display"}},
       {"zlib", {"logs/mcap"}},
       {"zstd", {"modules/codec", "logs/mcap"}},
   };

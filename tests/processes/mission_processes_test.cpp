@@ -133,6 +133,17 @@ TEST_F(MissionProcesses, SayWhoKeepsThemWaiting) {
   EXPECT_THAT(run.output, ContainsRegex("citrine: view_planner[12] has not answered for 5 s of wall time"));
 }
 
+TEST_F(MissionProcesses, SayWhoMissedMessages) {
+  const CommandResult run = RunAndThen(
+      "--isolate --set quality.d_star_m=1",
+      "planner=$(pgrep -P $launch view_planner | head -n 1); kill -STOP $planner; sleep 4; kill -CONT "
+      "$planner; sleep 3; kill -INT $launch");
+  EXPECT_EQ(run.exit_code, 130) << run.output;
+  EXPECT_THAT(
+      run.output,
+      ContainsRegex("citrine: bus: [0-9]+ messages were lost, [0-9]+ of them at view_planner[12]: a slow"));
+}
+
 TEST_F(MissionProcesses, GoOnFromTheMapOfAnEarlierMission) {
   const CommandResult first = RunCommandLine(Run("--in-process", "first"));
   ASSERT_EQ(first.exit_code, 0) << first.output;

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/citrine_command.h"
+#include "viz/display.h"
 #include "viz/frame_writer.h"
 
 namespace citrine::viz {
@@ -87,11 +88,24 @@ TEST(Window, SaysThatThereIsNoDisplay) {
   EXPECT_THROW(Window("citrine"), FrameError);
 }
 
+TEST(Window, SaysThatADisplayDoesNotAnswer) {
+  const char* set = std::getenv("DISPLAY");
+  const std::string before = set ? set : "";
+  setenv("DISPLAY", ":1234", 1);
+  EXPECT_EQ(WhyNoDisplay(), "the display ':1234' does not answer");
+  EXPECT_THROW(Window("citrine"), FrameError);
+  if (set)
+    setenv("DISPLAY", before.c_str(), 1);
+  else
+    unsetenv("DISPLAY");
+}
+
 TEST(Window, ShowsAPictureAndTellsWhatItsViewerDoes) {
   if (RunCommandLine("command -v xdotool Xvfb").exit_code != 0)
     GTEST_SKIP() << "Xvfb or xdotool is not there (packages-tools.txt)";
   const VirtualDisplay display;
   ASSERT_TRUE(display.works());
+  EXPECT_EQ(WhyNoDisplay(), "");
   const Colour red{200, 30, 40};
   Window window("citrine test");
   window.Show(Image(640, 480, red));

@@ -44,7 +44,7 @@ void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor) {
             [&](const Pixel& at) { canvas.Disc(at, 3 * s, kLowQuality); });
   cursor.y += 23 * s;
   DrawEntry("next view", canvas, cursor, 0,
-            [&](const Pixel& at) { canvas.Ring(at, 6 * s, UavColour(1), 2 * s); });
+            [&](const Pixel& at) { DrawTarget(at, 7 * s, UavColour(1), canvas); });
   DrawEntry("trajectory", canvas, cursor, 0.5, [&](const Pixel& at) {
     canvas.Polyline({at - Pixel(10 * s, 0), at + Pixel(10 * s, 0)}, kText, 3 * s);
   });

@@ -21,6 +21,8 @@ void DrawValue(const std::string& name, const std::string& value, Canvas& canvas
 
 /// What a UAV is given by a correction of the fleet's balance: its centroid.
 void DrawDiamond(const Pixel& at, double radius_px, Colour colour, Canvas& canvas);
+/// The next view of a UAV.
+void DrawTarget(const Pixel& at, double radius_px, Colour colour, Canvas& canvas);
 
 void DrawFleetPart(const Scene& scene, Canvas& canvas, StripCursor& cursor);
 void DrawLegendPart(const Scene& scene, Canvas& canvas, StripCursor& cursor);

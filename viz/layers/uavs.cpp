@@ -20,18 +20,6 @@ std::vector<Pixel> RemainingWay(const Trajectory& trajectory, Utime now, const C
   return way;
 }
 
-void DrawGoal(const FleetStatus& status, Colour colour, Canvas& canvas) {
-  const double s = canvas.scale();
-  const Pixel at = canvas.ToPixel(status.goal_W);
-  const double radius_px = 9 * s;
-  for (const auto& [ink, width] : {std::pair{kOutline, 5.0 * s}, std::pair{colour, 2.5 * s}}) {
-    canvas.Ring(at, radius_px, ink, width);
-    for (const Pixel& side : {Pixel(1, 0), Pixel(-1, 0), Pixel(0, 1), Pixel(0, -1)}) {
-      canvas.Polyline({at + 0.45 * radius_px * side, at + 1.5 * radius_px * side}, ink, width);
-    }
-  }
-}
-
 void DrawAirframe(const SceneUav& uav, double radius_m, Canvas& canvas) {
   const double s = canvas.scale();
   const Colour colour = UavColour(uav.id);
@@ -70,6 +58,14 @@ void DrawDiamond(const Pixel& at, double radius_px, Colour colour, Canvas& canva
   canvas.Polyline(round, colour, 2.5 * s);
 }
 
+void DrawTarget(const Pixel& at, double radius_px, Colour colour, Canvas& canvas) {
+  const double s = canvas.scale();
+  for (const auto& [ink, grow] : {std::pair{kOutline, 1.0 * s}, std::pair{colour, 0.0}}) {
+    canvas.Ring(at, radius_px, ink, 2.5 * s + 2 * grow);
+    canvas.Disc(at, 0.3 * radius_px + grow, ink);
+  }
+}
+
 void DrawTrails(const Scene& scene, const Relief&, Canvas& canvas) {
   const double s = canvas.scale();
   for (const SceneUav& uav : scene.uavs) {
@@ -94,7 +90,8 @@ void DrawPlans(const Scene& scene, const Relief&, Canvas& canvas) {
       canvas.Polyline(way, kText, 3 * s);
     }
     if (uav.centroid_W) DrawDiamond(canvas.ToPixel(*uav.centroid_W), 12 * s, colour, canvas);
-    if (uav.status && uav.status->has_goal) DrawGoal(*uav.status, colour, canvas);
+    if (uav.status && uav.status->has_goal)
+      DrawTarget(canvas.ToPixel(uav.status->goal_W), 11 * s, colour, canvas);
   }
 }
 

@@ -86,6 +86,34 @@ TEST_F(ReplayCommand, PlaysOnABusWithoutAModule) {
   EXPECT_EQ(play.exit_code, 0) << play.output;
 }
 
+TEST_F(ReplayCommand, SaysThatAMissionGetsNoFurther) {
+  const std::string stalled = folder_ / "stalled.lcmlog";
+  LogWriter log(stalled);
+  for (const LogEvent& event : ReadInOrder(kGolden))
+    if (event.channel == channels::kMissionConfig.name) log.Write(event);
+  for (int second = 0; second <= 61; ++second) {
+    citrine_lcm::clock_t clock{};
+    clock.utime = FromSeconds(second);
+    clock.seq = second + 1;
+    clock.step = second;
+    clock.dt_s = 1;
+    clock.mission_id = "smoke-quality_adaptive-2";
+    log.Write({clock.utime, channels::kClock.name, Bus::ToBytes(clock)});
+    citrine_lcm::mission_progress_t progress{};
+    progress.utime = clock.utime;
+    progress.seq = second + 1;
+    progress.surface_voxels = 100;
+    progress.voxels_at_goal = 90;
+    progress.elements_lqse = 12;
+    log.Write({progress.utime, channels::kMissionProgress.name, Bus::ToBytes(progress)});
+  }
+  log.Flush();
+  const CommandResult play = RunCommandLine("LCM_DEFAULT_URL=memq:// " CITRINE_BIN_DIR "/launch replay " +
+                                            stalled + " --speed 1000");
+  EXPECT_EQ(play.exit_code, 0) << play.output;
+  EXPECT_THAT(play.output, HasSubstr("citrine: no new surface for 60 s: 12 active elements are left"));
+}
+
 TEST_F(ReplayCommand, TakesAResultFolderForTheLogInIt) {
   fs::copy(kGolden, folder_);
   fs::copy(fs::path(kGolden).parent_path() / "topdown.png", folder_);

@@ -49,6 +49,38 @@ TEST_F(Doctor, NamesTheMissingRouteAndTheCommandThatMendsIt) {
               HasSubstr("mend: sudo ip link set lo multicast on && sudo ip route add 224.0.0.0/4 dev lo"));
 }
 
+TEST_F(Doctor, EveryToolThatListensNamesTheMissingRouteInTwoLines) {
+  const std::string expected =
+      "citrine: no multicast route.\n  mend: sudo ip link set lo multicast on && sudo ip route add "
+      "224.0.0.0/4 "
+      "dev lo\n";
+  for (const char* command : {"top", "echo CLOCK", "replay " CITRINE_SOURCE_DIR "/logs/golden/smoke"}) {
+    const CommandResult listen = InPrivate(std::string("$launch ") + command);
+    EXPECT_EQ(listen.exit_code, 2) << command;
+    EXPECT_EQ(listen.output, expected) << command;
+  }
+  const CommandResult module = InPrivate(std::string(CITRINE_BIN_DIR) +
+                                         "/map_fusion -O mission.volume_min_m=[0,0,0] -O "
+                                         "mission.volume_max_m=[5,5,5]");
+  EXPECT_EQ(module.exit_code, 2);
+  EXPECT_THAT(module.output, ContainsRegex("^map_fusion: cannot open the bus .*multicast route.*\n$"));
+}
+
+TEST_F(Doctor, NamesADisplayThatDoesNotAnswerAndRunRefusesItBeforeItFlies) {
+  EXPECT_THAT(InPrivate("unset DISPLAY WAYLAND_DISPLAY; $launch doctor").output,
+              HasSubstr("warn  no window for --view: there is no display"));
+  EXPECT_THAT(InPrivate("DISPLAY=:1234 $launch doctor").output,
+              HasSubstr("warn  no window for --view: the display ':1234' does not answer"));
+  const std::string run =
+      "DISPLAY=:1234 $launch run smoke --in-process --view --out " + out_.string() + "_view";
+  const CommandResult refused = InPrivate(run);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.output,
+            "citrine: no window for --view: the display ':1234' does not answer; --video needs none\n"
+            "  mend: ssh -X, or xvfb-run -a ./citrine run MISSION --view\n");
+  EXPECT_FALSE(fs::exists(out_.string() + "_view"));
+}
+
 TEST_F(Doctor, NamesWhoHoldsThePort) {
   const std::string hold =
       "perl -MIO::Socket::INET -e '$s = IO::Socket::INET->new(LocalPort => 7667, Proto => \"udp\"); "
@@ -84,6 +116,11 @@ TEST_F(Doctor, NamesASmallReceiveBuffer) {
   EXPECT_THAT(doctor.output,
               HasSubstr("receive buffer limit is 212992 bytes: bursts on the bus may be lost"));
   EXPECT_THAT(doctor.output, HasSubstr("mend: sudo sysctl -w net.core.rmem_max=4194304"));
+  const CommandResult run = InPrivate(
+      "limit=$(mktemp); echo 212992 > $limit; mount --bind $limit /proc/sys/net/core/rmem_max; "
+      "$launch run smoke --isolate --set mission.time_limit_s=1 --out " +
+      out_.string() + "; rm $limit");
+  EXPECT_THAT(run.output, HasSubstr("citrine: receive buffer limit is 212992 bytes"));
 }
 
 TEST_F(Doctor, RunFliesInOneProcessWhereNoNetworkIsAllowed) {
@@ -113,6 +150,14 @@ TEST_F(Doctor, SaysWhatSpyNeeds) {
   const CommandResult no_display = InPrivate("unset DISPLAY; $launch spy");
   EXPECT_EQ(no_display.exit_code, 2);
   EXPECT_THAT(no_display.output, ContainsRegex("spy: needs .*for a terminal view use: ./citrine top"));
+  const CommandResult dead_display = InPrivate("DISPLAY=:1234 $launch spy");
+  EXPECT_EQ(dead_display.exit_code, 2);
+  EXPECT_THAT(dead_display.output, ContainsRegex("^citrine: spy: needs .*\n$"));
+  const CommandResult no_java = InPrivate(
+      "folder=$(mktemp -d); ln -s $(command -v dpkg-query) $folder; PATH=$folder $launch spy; code=$?; "
+      "rm -r $folder; exit $code");
+  EXPECT_EQ(no_java.exit_code, 2);
+  EXPECT_THAT(no_java.output, ContainsRegex("spy: needs (java|liblcm-java|libjchart2d-java)"));
   const CommandResult nothing = InPrivate("PATH=/nowhere $launch spy");
   EXPECT_THAT(nothing.output,
               HasSubstr("spy: needs liblcm-java libjchart2d-java\n  mend: sudo apt-get install"));
@@ -120,7 +165,7 @@ TEST_F(Doctor, SaysWhatSpyNeeds) {
 
 TEST_F(Doctor, NamesTypesThatAreNewerThanTheJarOfSpy) {
   const fs::path jar = fs::path(CITRINE_BIN_DIR).parent_path() / "share/java/citrine-types.jar";
-  const std::string with_display = "DISPLAY=:99 $launch doctor";
+  const std::string with_display = "xvfb-run -a $launch doctor";
   if (InPrivate(with_display).output.find("lcm-spy: java") == std::string::npos)
     GTEST_SKIP() << "Java, lcm-spy or the jar of types is not there (packages-tools.txt)";
   const auto written = fs::last_write_time(jar);

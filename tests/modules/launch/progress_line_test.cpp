@@ -35,6 +35,39 @@ TEST(ProgressText, SaysThatItWaitsBeforeTheFirstClock) {
   EXPECT_EQ(ProgressText(MissionView(), 0), "waiting for the first CLOCK");
 }
 
+TEST(StallWatch, SaysOnceThatNothingNewWasSeenForAMinute) {
+  StallWatch watch;
+  MissionView view = SomeView();
+  view.uavs[0].elements_unreachable = 5;
+  view.uavs[1].elements_given_up = 1;
+  EXPECT_FALSE(watch.Look(view));
+  view.clock->utime += FromSeconds(59);
+  EXPECT_FALSE(watch.Look(view));
+  view.clock->utime += FromSeconds(1);
+  EXPECT_THAT(watch.Look(view).value_or(""),
+              HasSubstr("no new surface for 60 s: 7 active elements are left (5 unreachable, 1 given up)"));
+  EXPECT_FALSE(watch.Look(view)) << "it has been said";
+  ++view.progress.voxels_at_goal;
+  view.clock->utime += FromSeconds(59);
+  EXPECT_FALSE(watch.Look(view));
+  view.clock->utime += FromSeconds(60);
+  EXPECT_TRUE(watch.Look(view)) << "another stall";
+}
+
+TEST(StallWatch, IsContentWithAMissionThatHasNothingLeftOrIsOver) {
+  StallWatch nothing_left, over;
+  MissionView view = SomeView();
+  view.progress.elements_ise = view.progress.elements_lqse = 0;
+  EXPECT_FALSE(nothing_left.Look(view));
+  view.clock->utime += FromSeconds(70);
+  EXPECT_FALSE(nothing_left.Look(view));
+  view = SomeView();
+  EXPECT_FALSE(over.Look(view));
+  view.clock->utime += FromSeconds(70);
+  view.clock->state = Clock::State::kDone;
+  EXPECT_FALSE(over.Look(view));
+}
+
 TEST(ProgressLine, WritesPlainLinesWhereThereIsNoTerminal) {
   std::FILE* file = std::tmpfile();
   ProgressLine line(file);

@@ -96,6 +96,10 @@ TEST_F(WatchLog, CheckNamesDamageGapsAndWhatDoesNotDecode) {
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_THAT(info.output,
               ContainsRegex("[1-9] damaged places skipped, [0-9]+ messages missing, [12] that do not"));
+  for (const char* command : {"top ", "echo UAV1_STATE "})
+    EXPECT_THAT(
+        RunCitrine(command + log_).output,
+        ContainsRegex("[1-9] damaged places of the log were skipped; ./citrine log check names them"));
 }
 
 TEST_F(WatchLog, CutKeepsATimeAndChannelsAndWhatWasFlown) {
