@@ -1,5 +1,7 @@
 #include "viz/topdown_renderer.h"
 
+#include <algorithm>
+
 #include "viz/canvas.h"
 #include "viz/layers.h"
 #include "viz/relief.h"
@@ -15,6 +17,13 @@ TopdownRenderer::TopdownRenderer(const Eigen::AlignedBox3d& volume_W, double pix
                    volume_W.max().head<2>().array() + kMargin_m};
   const Eigen::Array2d fitting = Canvas::kFullHdMap_px.array() / whole_.area_W.sizes().array();
   whole_.pixels_per_m = pixels_per_m > 0 ? pixels_per_m : fitting.minCoeff();
+}
+
+View TopdownRenderer::WholeWithin(const Eigen::Vector2d& room_px) const {
+  const Image full = Canvas(whole_.area_W, whole_.pixels_per_m).image();
+  View view = whole_;
+  view.pixels_per_m *= std::min({1.0, room_px.x() / full.width, room_px.y() / full.height});
+  return view;
 }
 
 Image TopdownRenderer::Draw(const Scene& scene, const View& view) const {

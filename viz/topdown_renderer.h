@@ -15,8 +15,10 @@ class TopdownRenderer {
 
   /// All of the mission, every layer.
   const View& whole() const { return whole_; }
+  /// The same in a picture of no more columns and rows than these, where that is still legible.
+  View WholeWithin(const Eigen::Vector2d& room_px) const;
   Image Draw(const Scene& scene) const { return Draw(scene, whole_); }
-  /// @param view of as many pixels as the whole
+  /// @param view of as many pixels as the whole, or fewer
   Image Draw(const Scene& scene, const View& view) const;
 
  private:

@@ -30,9 +30,23 @@ constexpr double kObey_s = 5;
 constexpr double kSilence_s = 5;    ///< of the wall, without MODULE_HEALTH, before a module is named
 constexpr double kFarewell_s = 30;  ///< in which modules that were started by hand have written their results
 
-/// As a shell takes it for one word.
+/// As a shell takes it for one word; what lies below this folder by the shorter way.
 std::string Quoted(const std::string& word) {
-  return word.find_first_of(" &'?*()") == std::string::npos ? word : "'" + word + "'";
+  const std::string here = std::filesystem::current_path().string() + "/";
+  const std::string typed = word.starts_with(here) ? word.substr(here.size()) : word;
+  return typed.find_first_of(" &'?*()") == std::string::npos ? typed : "'" + typed + "'";
+}
+
+/// What one types to start a process; the default bus goes without saying.
+std::string CommandLine(const ProcessSpec& process) {
+  std::string line;
+  for (std::size_t i = 0; i < process.arguments.size(); ++i) {
+    if (process.arguments[i] == "--lcm-url" && process.arguments.at(i + 1) == DefaultBusUrl())
+      ++i;
+    else
+      line += " " + Quoted(process.arguments[i]);
+  }
+  return line;
 }
 
 /// The mission's processes, from their start until the last of them has left.
@@ -72,9 +86,7 @@ class ProcessFlight {
         "started again:\n";
     for (const ProcessSpec& module : modules) {
       waited_for_.insert(module.name);
-      text += " ";
-      for (const std::string& argument : module.arguments) text += " " + Quoted(argument);
-      text += "\n";
+      text += " " + CommandLine(module) + "\n";
     }
     std::fputs(text.c_str(), stderr);
   }

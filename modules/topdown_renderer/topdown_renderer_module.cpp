@@ -1,12 +1,22 @@
 #include "modules/topdown_renderer/topdown_renderer_module.h"
 
 #include "modules/runtime/cpu_stopwatch.h"
+#include "viz/display.h"
 
 namespace citrine {
 
 namespace {
+
 constexpr double kPicturePeriod_s = 10;
+constexpr double kOfScreen = 0.92;  ///< that a window fills; the rest is for the desktop's bars
+
+/// All of the mission, as large as a window on this screen can show it.
+viz::View FirstView(const viz::TopdownRenderer& renderer) {
+  const std::optional<Eigen::Vector2d> screen_px = viz::ScreenSize_px();
+  return screen_px ? renderer.WholeWithin(kOfScreen * *screen_px) : renderer.whole();
 }
+
+}  // namespace
 
 TopdownRendererModule::TopdownRendererModule(const ModuleContext& context)
     : health_(context.health),
@@ -17,7 +27,7 @@ TopdownRendererModule::TopdownRendererModule(const ModuleContext& context)
       renderer_(context.config.volume_W(), context.config.viz.pixels_per_m),
       picture_due_(kPicturePeriod_s, FromSeconds(kPicturePeriod_s)),
       frame_due_(1 / frame_hz_),
-      control_(renderer_.whole()) {
+      control_(context.config.launch.view ? FirstView(renderer_) : renderer_.whole()) {
   if (context.config.launch.view) window_.emplace("citrine: " + context.config.mission.name);
 }
 

@@ -58,6 +58,19 @@ TEST(TopdownRenderer, FillsAFullHdPictureUnlessAScaleIsAskedFor) {
   EXPECT_LE(wide.height, 1080);
 }
 
+TEST(TopdownRenderer, ShrinksThePictureToTheRoomThatAScreenHasForIt) {
+  const TestScene& test = Settlement();
+  const TopdownRenderer renderer(test.volume_W, 0);
+  for (const Eigen::Vector2d& room_px :
+       {Eigen::Vector2d(1300, 5000), Eigen::Vector2d(5000, 800), Eigen::Vector2d(1300, 800)}) {
+    const Image image = renderer.Draw(test.scene, renderer.WholeWithin(room_px));
+    EXPECT_LE(image.width, room_px.x() + 2) << "rounded up to an even number";
+    EXPECT_LE(image.height, room_px.y() + 2);
+    EXPECT_TRUE(image.width > 0.97 * room_px.x() || image.height > 0.97 * room_px.y());
+  }
+  EXPECT_EQ(renderer.WholeWithin({5000, 5000}).pixels_per_m, renderer.whole().pixels_per_m);
+}
+
 TEST(TopdownRenderer, DrawsAPartInAsManyPixelsAsTheWholeAndLeavesOutWhatIsHidden) {
   const TestScene& test = Settlement();
   const TopdownRenderer renderer(test.volume_W, 12);

@@ -93,6 +93,7 @@ TEST(Window, SaysThatADisplayDoesNotAnswer) {
   const std::string before = set ? set : "";
   setenv("DISPLAY", ":1234", 1);
   EXPECT_EQ(WhyNoDisplay(), "the display ':1234' does not answer");
+  EXPECT_FALSE(ScreenSize_px());
   EXPECT_THROW(Window("citrine"), FrameError);
   if (set)
     setenv("DISPLAY", before.c_str(), 1);
@@ -106,6 +107,7 @@ TEST(Window, ShowsAPictureAndTellsWhatItsViewerDoes) {
   const VirtualDisplay display;
   ASSERT_TRUE(display.works());
   EXPECT_EQ(WhyNoDisplay(), "");
+  EXPECT_EQ(ScreenSize_px(), Eigen::Vector2d(1024, 768));
   const Colour red{200, 30, 40};
   Window window("citrine test");
   window.Show(Image(640, 480, red));
