@@ -34,41 +34,45 @@ struct SweepSection {
   }
 };
 
-/// One [[world]] of a sweep: a mission, or another world flown with it
-struct SweepWorld {
-  std::string name;
-  std::string title;
-  std::string mission;
-  std::string world;
-  std::string paper;
-  bool optional = false;
+/// What every row of a sweep has.
+struct SweepRow {
+  std::string name;   ///< of the folder of its runs
+  std::string title;  ///< in tables
   std::vector<std::string> set;
 
   template <class V>
   void Visit(V& v) {
-    v("name", name, Key{"folder of its runs; default: the mission's name"});
+    v("name", name, Key{"folder of its runs; of a world by default the mission's name"});
     v("title", title, Key{"as tables have it; default: the name"});
-    v("mission", mission, Key{"a name in missions/ or a file"});
-    v("world", world, Key{"another world than the mission's, as of `run --world`; relative to the project"});
-    v("paper", paper, Key{"the world of the paper's table II to stand beside: house or structure"});
-    v("optional", optional, Key{"left out, with a word, where its world's file is not there"});
     v("set", set, Key{"section.key=value for its missions"});
   }
 };
 
-/// One [[variant]] of a sweep: what is compared
-struct SweepVariant {
-  std::string name;
-  std::string title;
-  std::optional<double> x;
-  std::vector<std::string> set;
+/// One [[world]] of a sweep: a mission, or another world flown with it
+struct SweepWorld : SweepRow {
+  std::string mission;
+  std::string world;
+  std::string paper;
+  bool optional = false;
 
   template <class V>
   void Visit(V& v) {
-    v("name", name, Key{"folder of its runs"});
-    v("title", title, Key{"as tables have it; default: the name"});
+    SweepRow::Visit(v);
+    v("mission", mission, Key{"a name in missions/ or a file"});
+    v("world", world, Key{"another world than the mission's, as of `run --world`; relative to the project"});
+    v("paper", paper, Key{"the world of the paper's table II to stand beside: house or structure"});
+    v("optional", optional, Key{"left out, with a word, where its world's file is not there"});
+  }
+};
+
+/// One [[variant]] of a sweep: what is compared
+struct SweepVariant : SweepRow {
+  std::optional<double> x;
+
+  template <class V>
+  void Visit(V& v) {
+    SweepRow::Visit(v);
     v("x", x, Key{"where it stands in plots over x"});
-    v("set", set, Key{"section.key=value for its missions"});
   }
 };
 

@@ -6,6 +6,7 @@
 #include "core/digest.h"
 #include "sim/lidar/observability.h"
 #include "sim/lidar/reachability.h"
+#include "sim/world/edge_flaws.h"
 #include "sim/world/spawn.h"
 #include "sim/world/true_surface.h"
 #include "sim/world/world.h"
@@ -80,8 +81,26 @@ class Reporter {
       return Wrong("its longest side is " + (longest + hint));
     }
     if (ground == 0) Hint("no model is named \"ground...\": the shares without ground count everything");
+    HintAtFlaws(FindEdgeFlaws(world));
     if (!volume_W.intersects(world.bounds_W)) return Wrong("the mission volume lies outside the world");
     DescribeSurface(world, RayScene(world), volume_W);
+  }
+
+  void HintAtFlaws(const EdgeFlaws& flaws) {
+    const auto edges = [](int count, const std::string& at) {
+      return std::to_string(count) + " edges, the first in " + at;
+    };
+    if (flaws.open > 0)
+      Hint("not closed: " + edges(flaws.open, flaws.open_at) +
+           "; nothing counts as inside there, and the far side of its faces as surface to be seen");
+    if (flaws.against > 0)
+      Hint("wound against each other: the triangles at " + edges(flaws.against, flaws.against_at) +
+           "; what counts as inside may have gaps");
+    if (flaws.inside_out > 0)
+      Hint("inside out: " + std::to_string(flaws.inside_out) + " parts, the first " + flaws.inside_out_at +
+           "; nothing counts as inside of them");
+    if (flaws.open + flaws.against + flaws.inside_out > 0)
+      Hint("MeshLab (Render, Show Non Manifold Edges) or Blender (Face Orientation) show where");
   }
 
   void DescribeSurface(const World& world, const RayScene& scene, const Eigen::AlignedBox3d& volume_W) {

@@ -5,16 +5,10 @@
 #include "logs/number_text.h"
 #include "logs/progress_csv.h"
 #include "logs/tum.h"
+#include "tests/support/state_at.h"
 
 namespace citrine::logs {
 namespace {
-
-UavState StateAt(Utime utime, const Eigen::Vector3d& p) {
-  UavState state;
-  state.utime = utime;
-  state.X_WB.p = p;
-  return state;
-}
 
 TEST(Tum, IsOneLineAStateWithTheQuaternionsRealPartLast) {
   UavState state = StateAt(1'020'000, {1, -2.5, 3});

@@ -3,12 +3,8 @@
 # odd order and late; then, in flight, each module but the owner of time is stopped and started again. The mission completes all the
 # same. Exit code 77: no private network namespace may be made here.
 set -u
+source "$(dirname "$0")/../support/private_bus.sh"
 bin=$1
-if [ "${2:-}" != inside ]; then
-  unshare -rn true 2>/dev/null || exit 77
-  exec unshare -rn "$0" "$bin" inside
-fi
-ip link set lo up multicast on && ip route add 224.0.0.0/4 dev lo || exit 77
 folder=$(mktemp -d)
 declare -A pids=()
 trap 'kill -KILL "${pids[@]}" $launcher 2>/dev/null; wait; rm -rf "$folder"' EXIT

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -19,9 +20,7 @@ using ::testing::Not;
 class MissionProcesses : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (RunCommandLine("unshare -n true || unshare -rn true").exit_code != 0)
-      GTEST_SKIP() << "this host allows no private networks";
-    fs::remove_all(out_);
+    if (!PrivateNetworksAllowed()) GTEST_SKIP() << "this host allows no private networks";
   }
 
   static nlohmann::json Metrics(const fs::path& out) {
@@ -46,7 +45,8 @@ class MissionProcesses : public ::testing::Test {
       EXPECT_TRUE(fs::exists(out_ / "run" / file)) << file;
   }
 
-  const fs::path out_ = fs::path(::testing::TempDir()) / "citrine_processes";
+  const ScratchFolder scratch_;
+  const fs::path out_ = scratch_.path();
 };
 
 TEST_F(MissionProcesses, SayInLockstepWhatOneProcessSays) {

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 namespace citrine {
 
@@ -25,9 +28,20 @@ inline CommandResult RunCommandLine(const std::string& line) {
   return result;
 }
 
+/// Whether somebody here may have a network, and file systems, of his own.
+inline bool PrivateNetworksAllowed() { return RunCommandLine("unshare -rnm true").exit_code == 0; }
+
 /// Runs the program behind ./citrine.
 inline CommandResult RunCitrine(const std::string& arguments) {
   return RunCommandLine(std::string(CITRINE_BIN_DIR) + "/launch " + arguments);
+}
+
+/// Every one of these ends with that code.
+inline void ExpectExitCode(int code, const std::vector<std::string>& arguments) {
+  for (const std::string& each : arguments) {
+    const CommandResult result = RunCitrine(each);
+    EXPECT_EQ(result.exit_code, code) << "citrine " << each << ": " << result.output;
+  }
 }
 
 }  // namespace citrine

@@ -9,6 +9,7 @@
 #include "core/map/ply.h"
 #include "tests/support/analytic_scene.h"
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -41,16 +42,14 @@ class CommandFuse : public ::testing::Test {
                  static_cast<std::streamsize>(4 * numbers.size()));
     }
   }
-  ~CommandFuse() override { fs::remove_all(folder_); }
   CommandResult Fuse(const std::string& more = "") {
     const std::string at = folder_.string();
     return RunCitrine("fuse --scans " + at + "/scans --poses " + at + "/poses.tum --out " + at + "/out " +
                       more);
   }
 
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      ("citrine_fuse_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   test::AnalyticScene scene_;
   std::size_t points_ = 0;
 };

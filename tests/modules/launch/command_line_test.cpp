@@ -17,14 +17,8 @@ TEST(CommandLine, HelpIsNotAMistake) {
 }
 
 TEST(CommandLine, WrongUseExitsWithOne) {
-  EXPECT_EQ(RunCitrine("").exit_code, 1);
-  EXPECT_EQ(RunCitrine("fly house").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run house --pase 2").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run house --pace fast").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run house --pace -1").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run house --uavs three").exit_code, 1);
-  EXPECT_EQ(RunCitrine("run house --in-process --isolate").exit_code, 1);
+  ExpectExitCode(1, {"", "fly house", "run", "run house --pase 2", "run house --pace fast",
+                     "run house --pace -1", "run house --uavs three", "run house --in-process --isolate"});
 }
 
 TEST(CommandLine, AMissionThatIsNotThereExitsWithTwoAndNamesTheNearest) {

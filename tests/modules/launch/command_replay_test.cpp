@@ -7,6 +7,7 @@
 #include "modules/runtime/log_reader.h"
 #include "modules/runtime/log_writer.h"
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -19,12 +20,6 @@ const std::string kGolden = CITRINE_SOURCE_DIR "/logs/golden/smoke_three_uavs/mi
 
 class ReplayCommand : public ::testing::Test {
  protected:
-  ReplayCommand() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~ReplayCommand() override { fs::remove_all(folder_); }
-
   /// A copy of the golden log in which `change` may alter, and lose, messages.
   template <class Change>
   std::string Changed(const Change& change) const {
@@ -36,9 +31,8 @@ class ReplayCommand : public ::testing::Test {
     return path;
   }
 
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / (std::string("citrine_command_replay_") +
-                                        ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(ReplayCommand, NamesChannelTimeAndFieldOfTheFirstDifferenceAndExitsWithThree) {

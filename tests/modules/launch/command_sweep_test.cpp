@@ -65,12 +65,8 @@ TEST(CommandSweep, ShowsTheCommandsThatItWouldRun) {
 }
 
 TEST(CommandSweep, WrongUseExitsWithOneAndWhatCannotBeFlownWithTwo) {
-  EXPECT_EQ(RunCitrine("sweep").exit_code, 1);
-  EXPECT_EQ(RunCitrine("sweep smoke --jobs 0").exit_code, 1);
-  EXPECT_EQ(RunCitrine("compare here").exit_code, 1);
-  EXPECT_EQ(RunCitrine("sweep nowhere").exit_code, 2);
-  EXPECT_EQ(RunCitrine("sweep smoke --list --seeds x").exit_code, 2);
-  EXPECT_EQ(RunCitrine("compare nowhere neither").exit_code, 2);
+  ExpectExitCode(1, {"sweep", "sweep smoke --jobs 0", "compare here"});
+  ExpectExitCode(2, {"sweep nowhere", "sweep smoke --list --seeds x", "compare nowhere neither"});
 }
 
 }  // namespace

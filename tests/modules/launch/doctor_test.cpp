@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -20,18 +21,15 @@ constexpr const char* kBusUp = "ip link set lo up multicast on; ip route add 224
 class Doctor : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (RunCommandLine("unshare -rnm true").exit_code != 0)
-      GTEST_SKIP() << "this host allows no private networks";
+    if (!PrivateNetworksAllowed()) GTEST_SKIP() << "this host allows no private networks";
   }
-  static CommandResult InPrivate(const std::string& line) {
-    const std::string script = ::testing::TempDir() + "/line.sh";
-    std::FILE* file = std::fopen(script.c_str(), "w");
-    std::fputs(("unset LCM_DEFAULT_URL\nlaunch=" + std::string(CITRINE_BIN_DIR) + "/launch\n" + line).c_str(),
-               file);
-    std::fclose(file);
-    return RunCommandLine("unshare -rnm bash " + script);
+  CommandResult InPrivate(const std::string& line) const {
+    return RunCommandLine(
+        "unshare -rnm bash " +
+        scratch_.Write("line.sh", "unset LCM_DEFAULT_URL\nlaunch=" CITRINE_BIN_DIR "/launch\n" + line));
   }
-  const fs::path out_ = fs::path(::testing::TempDir()) / "doctor_run";
+  const ScratchFolder scratch_;
+  const fs::path out_ = scratch_.path() / "run";
 };
 
 TEST_F(Doctor, IsContentWithABusThatHearsItself) {
@@ -135,7 +133,7 @@ TEST_F(Doctor, RunFliesInOneProcessWhereNoNetworkIsAllowed) {
 }
 
 TEST_F(Doctor, NamesAFullDiskBeforeTheMissionStarts) {
-  const std::string disk = ::testing::TempDir() + "/disk";
+  const std::string disk = scratch_.path() / "disk";
   const CommandResult run =
       InPrivate("mkdir -p " + disk + "; mount -t tmpfs -o size=20m none " + disk +
                 " || exit 77; $launch run smoke --in-process --set mission.time_limit_s=300 --set "

@@ -8,6 +8,7 @@
 #include "modules/channels.h"
 #include "modules/runtime/log_writer.h"
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -21,8 +22,6 @@ using ::testing::Not;
 class WatchLog : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     citrine_lcm::mission_config_t flown{};
     flown.seq = 1;
     flown.mission_id = "yard-nearest_frontier-7";
@@ -55,7 +54,8 @@ class WatchLog : public ::testing::Test {
     for (const LogEvent& event : events_) writer.Write(event);
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "citrine_watch_log";
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   const std::string log_ = (folder_ / "mission.lcmlog").string();
   std::vector<LogEvent> events_;
 };

@@ -12,6 +12,7 @@
 #include "modules/every_channel.h"
 #include "modules/mcap_export/export_mcap.h"
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -43,8 +44,7 @@ std::string MissingForReader() {
 
 class McapExport : public ::testing::Test {
  protected:
-  McapExport() : mission_(ReadMission(kGolden)) { fs::create_directories(folder_); }
-  ~McapExport() override { fs::remove_all(folder_); }
+  McapExport() : mission_(ReadMission(kGolden)) {}
 
   /// Messages on a channel that were said before the last step: an exporter hears no others.
   template <class Message>
@@ -60,9 +60,8 @@ class McapExport : public ::testing::Test {
   }
 
   const RecordedMission mission_;
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      (std::string("citrine_mcap_export_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(McapExport, WritesTheSameBytesForTheSameRecording) {

@@ -7,16 +7,10 @@
 #include "modules/codec/module_health.h"
 #include "modules/codec/uav_state.h"
 #include "tests/modules/mission_report/recorder.h"
+#include "tests/support/state_at.h"
 
 namespace citrine {
 namespace {
-
-UavState StateAt(Utime utime, const Eigen::Vector3d& p_W) {
-  UavState state;
-  state.utime = utime;
-  state.X_WB.p = p_W;
-  return state;
-}
 
 TEST(FlightRecordReader, KeepsTheStatesOfEveryUavInOrder) {
   Recorder recorder;

@@ -19,6 +19,7 @@
 #include "sim/lidar/lidar_emulator.h"
 #include "sim/world/world.h"
 #include "tests/modules/mission_report/recorder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
@@ -66,11 +67,6 @@ std::string ReadText(const fs::path& path) {
 class MissionReport : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        fs::path(testing::TempDir()) /
-        ("mission_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     std::ofstream(folder_ / "block.obj") << kWorldObj;
     config_ = ParseMission(
         "[mission]\nname = \"block\"\nuavs = 1\nvolume_min_m = [-6, -6, 0]\nvolume_max_m = [6, 6, 6]\n"
@@ -80,7 +76,6 @@ class MissionReport : public testing::Test {
             "[map]\nvoxel_m = 0.25\n",
         {});
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   /// One UAV flies kFlown_m along x before the block at 1 m/s and scans twice a second.
   void Record() {
@@ -127,7 +122,8 @@ class MissionReport : public testing::Test {
     return inputs;
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   MissionConfig config_;
 };
 

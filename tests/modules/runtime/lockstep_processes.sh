@@ -2,12 +2,8 @@
 # Flies the toy mission as ten processes on a bus of their own, records it, and compares the log with that of one
 # process. Exit code 77: no private network namespace may be made here.
 set -u
+source "$(dirname "$0")/../../support/private_bus.sh"
 program=$1
-if [ "${2:-}" != inside ]; then
-  unshare -rn true 2>/dev/null || exit 77
-  exec unshare -rn "$0" "$program" inside
-fi
-ip link set lo up multicast on && ip route add 224.0.0.0/4 dev lo || exit 77
 folder=$(mktemp -d)
 trap 'kill $pids $logger 2>/dev/null; wait; rm -rf "$folder"' EXIT
 pids= logger=

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/sim/box_world.h"
-#include "tests/sim/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine::sim {
 namespace {

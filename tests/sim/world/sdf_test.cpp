@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "sim/world/world.h"
-#include "tests/sim/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/sim/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine::sim {
 namespace {
@@ -27,6 +27,14 @@ TEST(WorldReport, HintsAtMillimetres) {
       ReportWorld(folder.Write("m.obj", "v 0 0 0\nv 20000 0 0\nv 0 9000 0\nf 1 2 3\n"));
   EXPECT_FALSE(report.ok);
   EXPECT_THAT(report.text, HasSubstr("looks like millimetres"));
+}
+
+TEST(WorldReport, HintsAtASurfaceThatIsNotClosed) {
+  const ScratchFolder folder;
+  const WorldReport report = ReportWorld(
+      folder.Write("m.obj", "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 4 5 6\n"));
+  EXPECT_THAT(report.text, HasSubstr("note: not closed: 3 edges, the first in "));
+  EXPECT_THAT(report.text, HasSubstr("note: MeshLab"));
 }
 
 TEST(WorldReport, SaysThatThereIsNoRoomToStart) {

@@ -6,18 +6,20 @@
 
 #include <gtest/gtest.h>
 
-namespace citrine::sim {
+namespace citrine {
 
 /// A folder of the running test's own, gone when the test ends.
 class ScratchFolder {
  public:
   ScratchFolder() {
     const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    path_ =
-        std::filesystem::path(testing::TempDir()) / (std::string(test.test_suite_name()) + "." + test.name());
+    path_ = std::filesystem::path(testing::TempDir()) /
+            ("citrine_" + std::string(test.test_suite_name()) + "." + test.name());
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
   ~ScratchFolder() { std::filesystem::remove_all(path_); }
 
   /// Writes a file, and the folders that it lies in. @return its whole path
@@ -33,4 +35,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace citrine::sim
+}  // namespace citrine
