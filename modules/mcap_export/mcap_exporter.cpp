@@ -74,13 +74,8 @@ McapExporter::McapExporter(const ModuleContext& context, logs::McapWriter& write
       progress_topic_(writer_.AddTopic(TopicOf("/progress", Kind::kProgress))),
       flight_due_(kFlightPeriod_s),
       surface_due_(kSurfacePeriod_s),
-      states_(bus_.HearAll(channels::kUavState)),
-      scans_(bus_.HearAll(channels::kLidarScan)),
-      paths_(bus_.HearAll(channels::kPath)),
-      trajectories_(bus_.HearAll(channels::kTrajectory)),
-      statuses_(bus_.HearAll(channels::kFleetStatus)),
-      assignments_(bus_.Hear(channels::kFleetAssignment)),
-      progress_(bus_.Hear(channels::kMissionProgress)) {
+      inboxes_(bus_),
+      scans_(bus_.HearAll(channels::kLidarScan)) {
   for (int id = 1; id <= config_.mission.uavs; ++id) {
     const std::string of = "/" + FrameOf(id);
     Uav uav{};
@@ -105,13 +100,14 @@ void McapExporter::Tick(const Step& step) {
 
 void McapExporter::HearStates() {
   std::map<Utime, std::map<std::string, Pose>> X_WB_by_frame;
-  HearNouns(bus_, channels::kUavState, num_uavs(), *states_, [&](int id, const UavState& state, Utime utime) {
-    Uav& uav = UavOf(id);
-    if (uav.state) uav.flown_m += (state.X_WB.p - uav.state->X_WB.p).norm();
-    uav.state = state;
-    X_WB_by_frame[utime][FrameOf(id)] = state.X_WB;
-    writer_.Write(uav.pose, utime, Said(utime, state.X_WB));
-  });
+  HearNouns(bus_, channels::kUavState, num_uavs(), *inboxes_.states,
+            [&](int id, const UavState& state, Utime utime) {
+              Uav& uav = UavOf(id);
+              if (uav.state) uav.flown_m += (state.X_WB.p - uav.state->X_WB.p).norm();
+              uav.state = state;
+              X_WB_by_frame[utime][FrameOf(id)] = state.X_WB;
+              writer_.Write(uav.pose, utime, Said(utime, state.X_WB));
+            });
   for (const auto& [utime, frames] : X_WB_by_frame) writer_.Write(transforms_, utime, Said(utime, frames));
 }
 
@@ -123,28 +119,28 @@ void McapExporter::HearScans() {
 }
 
 void McapExporter::HearPlans() {
-  HearNouns(bus_, channels::kPath, num_uavs(), *paths_, [&](int id, const Path& path, Utime) {
+  HearNouns(bus_, channels::kPath, num_uavs(), *inboxes_.paths, [&](int id, const Path& path, Utime) {
     Uav& uav = UavOf(id);
     uav.plan_changed |= !uav.path || path.id != uav.path->id;
     uav.path = path;
   });
-  HearNouns(bus_, channels::kTrajectory, num_uavs(), *trajectories_,
+  HearNouns(bus_, channels::kTrajectory, num_uavs(), *inboxes_.trajectories,
             [&](int id, const Trajectory& trajectory, Utime) {
               Uav& uav = UavOf(id);
               uav.plan_changed |= !uav.trajectory || trajectory.id != uav.trajectory->id;
               uav.trajectory = trajectory;
             });
-  HearNouns(
-      bus_, channels::kFleetStatus, num_uavs(), *statuses_, [&](int id, const FleetStatus& status, Utime) {
-        Uav& uav = UavOf(id);
-        uav.plan_changed |=
-            !uav.status || status.has_goal != uav.status->has_goal || status.goal_W != uav.status->goal_W;
-        uav.status = status;
-      });
+  HearNouns(bus_, channels::kFleetStatus, num_uavs(), *inboxes_.statuses,
+            [&](int id, const FleetStatus& status, Utime) {
+              Uav& uav = UavOf(id);
+              uav.plan_changed |= !uav.status || status.has_goal != uav.status->has_goal ||
+                                  status.goal_W != uav.status->goal_W;
+              uav.status = status;
+            });
 }
 
 void McapExporter::HearFleet() {
-  HearNouns(bus_, channels::kFleetAssignment, *assignments_,
+  HearNouns(bus_, channels::kFleetAssignment, *inboxes_.assignments,
             [this](const FleetAssignment& assignment, Utime utime) {
               std::vector<Drawing> centroids;
               for (int id = 1; id <= static_cast<int>(assignment.centroid_W_by_uav.size()); ++id)
@@ -156,7 +152,7 @@ void McapExporter::HearFleet() {
                                      0.8});
               writer_.Write(fleet_, utime, Said(utime, centroids));
             });
-  HearNouns(bus_, channels::kMissionProgress, *progress_,
+  HearNouns(bus_, channels::kMissionProgress, *inboxes_.progress,
             [this](const MissionProgress& progress, Utime utime) {
               writer_.Write(progress_topic_, utime, Said(utime, progress));
             });

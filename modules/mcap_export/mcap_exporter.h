@@ -11,7 +11,7 @@
 #include "core/trajectory/trajectory.h"
 #include "core/vehicle/uav_state.h"
 #include "logs/mcap/mcap_writer.h"
-#include "modules/channels.h"
+#include "modules/fleet_inboxes.h"
 #include "modules/map_hearer.h"
 #include "modules/runtime/module.h"
 
@@ -63,13 +63,8 @@ class McapExporter : public Module {
   Every flight_due_, surface_due_;
   std::int64_t written_revision_ = -1;
 
-  std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
+  FleetInboxes inboxes_;
   std::shared_ptr<Inbox<citrine_lcm::lidar_scan_t>> scans_;
-  std::shared_ptr<Inbox<citrine_lcm::path_t>> paths_;
-  std::shared_ptr<Inbox<citrine_lcm::trajectory_t>> trajectories_;
-  std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> statuses_;
-  std::shared_ptr<Inbox<citrine_lcm::fleet_assignment_t>> assignments_;
-  std::shared_ptr<Inbox<citrine_lcm::mission_progress_t>> progress_;
 };
 
 }  // namespace citrine

@@ -24,12 +24,7 @@ SceneHearer::SceneHearer(const ModuleContext& context)
       uavs_(context.config.mission.uavs),
       map_hearer_(context.map_hearer),
       surface_(map_hearer_->map().grid(), map_hearer_->map().quantisation(), context.config.quality_goals()),
-      states_(bus_.HearAll(channels::kUavState)),
-      paths_(bus_.HearAll(channels::kPath)),
-      trajectories_(bus_.HearAll(channels::kTrajectory)),
-      statuses_(bus_.HearAll(channels::kFleetStatus)),
-      assignments_(bus_.Hear(channels::kFleetAssignment)),
-      progress_(bus_.Hear(channels::kMissionProgress)) {
+      inboxes_(bus_) {
   const MissionConfig& config = context.config;
   scene_.mission = config.mission.name;
   scene_.strategy = config.planner.strategy + ", seed " + std::to_string(config.mission.seed);
@@ -55,7 +50,7 @@ void SceneHearer::Update(const Step& step) {
 }
 
 void SceneHearer::HearStates() {
-  HearNouns(bus_, channels::kUavState, uavs_, *states_, [this](int id, const UavState& state, Utime) {
+  HearNouns(bus_, channels::kUavState, uavs_, *inboxes_.states, [this](int id, const UavState& state, Utime) {
     viz::SceneUav& uav = UavOf(id);
     uav.state = state;
     const Eigen::Vector3d& p_W = state.X_WB.p;
@@ -67,25 +62,26 @@ void SceneHearer::HearStates() {
 }
 
 void SceneHearer::HearPlans() {
-  HearNouns(bus_, channels::kPath, uavs_, *paths_,
+  HearNouns(bus_, channels::kPath, uavs_, *inboxes_.paths,
             [this](int id, Path&& path, Utime) { UavOf(id).path = std::move(path); });
-  HearNouns(bus_, channels::kTrajectory, uavs_, *trajectories_,
+  HearNouns(bus_, channels::kTrajectory, uavs_, *inboxes_.trajectories,
             [this](int id, Trajectory&& trajectory, Utime) {
               std::optional<Trajectory>& newest = UavOf(id).trajectory;
               if (!newest || Supersedes(trajectory, *newest)) newest = std::move(trajectory);
             });
-  HearNouns(bus_, channels::kFleetStatus, uavs_, *statuses_,
+  HearNouns(bus_, channels::kFleetStatus, uavs_, *inboxes_.statuses,
             [this](int id, const FleetStatus& status, Utime) { UavOf(id).status = status; });
 }
 
 void SceneHearer::HearAssignments() {
-  HearNouns(bus_, channels::kFleetAssignment, *assignments_, [this](const FleetAssignment& heard, Utime) {
-    if (heard.plan_id < newest_plan_) return;
-    newest_plan_ = heard.plan_id;
-    assignment_expiry_ = heard.expiry;
-    for (std::size_t i = 0; i < std::min(scene_.uavs.size(), heard.centroid_W_by_uav.size()); ++i)
-      scene_.uavs[i].centroid_W = heard.centroid_W_by_uav[i];
-  });
+  HearNouns(bus_, channels::kFleetAssignment, *inboxes_.assignments,
+            [this](const FleetAssignment& heard, Utime) {
+              if (heard.plan_id < newest_plan_) return;
+              newest_plan_ = heard.plan_id;
+              assignment_expiry_ = heard.expiry;
+              for (std::size_t i = 0; i < std::min(scene_.uavs.size(), heard.centroid_W_by_uav.size()); ++i)
+                scene_.uavs[i].centroid_W = heard.centroid_W_by_uav[i];
+            });
 }
 
 /// A correction of the balance is over for a UAV that has made its selections or knows a newer one, for all
@@ -101,12 +97,13 @@ void SceneHearer::ForgetWhatIsOver(bool mission_is_over) {
 }
 
 void SceneHearer::HearProgress() {
-  HearNouns(bus_, channels::kMissionProgress, *progress_, [this](const MissionProgress& heard, Utime utime) {
-    scene_.progress = heard;
-    if (heard.surface_voxels == 0) return;
-    scene_.history.push_back(
-        {Seconds(utime), static_cast<double>(heard.voxels_at_goal) / heard.surface_voxels});
-  });
+  HearNouns(bus_, channels::kMissionProgress, *inboxes_.progress,
+            [this](const MissionProgress& heard, Utime utime) {
+              scene_.progress = heard;
+              if (heard.surface_voxels == 0) return;
+              scene_.history.push_back(
+                  {Seconds(utime), static_cast<double>(heard.voxels_at_goal) / heard.surface_voxels});
+            });
 }
 
 const viz::Scene& SceneHearer::Finish() {

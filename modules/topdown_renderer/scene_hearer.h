@@ -3,14 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include <citrine_lcm/fleet_assignment_t.hpp>
-#include <citrine_lcm/fleet_status_t.hpp>
-#include <citrine_lcm/mission_progress_t.hpp>
-#include <citrine_lcm/path_t.hpp>
-#include <citrine_lcm/trajectory_t.hpp>
-#include <citrine_lcm/uav_state_t.hpp>
-
 #include "core/quality/active_surface.h"
+#include "modules/fleet_inboxes.h"
 #include "modules/runtime/module.h"
 #include "viz/scene.h"
 
@@ -42,12 +36,7 @@ class SceneHearer {
   viz::Scene scene_;
   Utime assignment_expiry_ = 0;
   std::int64_t newest_plan_ = 0;
-  std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;
-  std::shared_ptr<Inbox<citrine_lcm::path_t>> paths_;
-  std::shared_ptr<Inbox<citrine_lcm::trajectory_t>> trajectories_;
-  std::shared_ptr<Inbox<citrine_lcm::fleet_status_t>> statuses_;
-  std::shared_ptr<Inbox<citrine_lcm::fleet_assignment_t>> assignments_;
-  std::shared_ptr<Inbox<citrine_lcm::mission_progress_t>> progress_;
+  FleetInboxes inboxes_;
 };
 
 }  // namespace citrine
