@@ -9,10 +9,10 @@ namespace citrine::fusion {
 /// What a scan can say about eight balls of voxels at once (bricks, octants or blocks), before any voxel is
 /// looked up.
 struct BrickSight {
-  Mask seen;         ///< neither out of view nor all of it behind what was seen
-  Mask passed;       ///< no return ends near it: all that can be said is that it is free
-  Mask free;         ///< that can be said of all of it
-  Lanes farthest_m;  ///< that was seen around it, where it is free
+  int seen;                         ///< one bit each: neither out of view nor all of it behind what was seen
+  int passed;                       ///< no return ends near it: all that can be said is that it is free
+  int free;                         ///< that can be said of all of it
+  alignas(32) float farthest_m[8];  ///< that was seen around it, where it is free
 };
 
 /// Compares the nearest and farthest points of balls with the ranges in the window of the image that holds
@@ -36,33 +36,34 @@ inline BrickSight SightOf(Lanes x, Lanes y, Lanes z, float radius_m, const Lidar
   const Mask out_of_view =
       (high < -0.5f) | (low > last_row + 0.5f) | (distance_m > range_max_m + truncation_m + radius_m);
 
-  const Lanes first_row = Min(Max(Floor(low), 0.0f), last_row),
-              end_row = Min(Max(Floor(high) + 1.0f, 0.0f), last_row);
-  const Lanes rows = end_row - first_row;
-  const Lanes first_col = Floor(pixel.col - half_cols),
-              num_cols = Floor(pixel.col + half_cols) + 1.0f - first_col;
+  const Lanes last_cell = Max(last_row - 1.0f, 0.0f);
+  const Lanes first_row = Min(Max(Floor(low), 0.0f), last_cell);
+  const Lanes rows = Min(Max(Floor(high), 0.0f), last_cell) - first_row;
+  const Lanes first_col = Floor(pixel.col - half_cols), num_cols = Floor(pixel.col + half_cols) - first_col;
   const Lanes col = first_col + Keep(first_col < 0.0f, cols);
   const Mask too_wide = around | over_pole | (rows > static_cast<float>(RangeBounds::kHighest)) |
                         (num_cols > static_cast<float>(RangeBounds::kWidest)) | (col < 0.0f) | (col >= cols);
   const auto index = [&](Lanes value) { return ToInt(Keep(Without(Mask::Everywhere(), too_wide), value)); };
-  const RangeBounds::Ranges ranges = bounds.Of(index(first_row), index(rows), index(col), index(num_cols));
+  const RangeBounds::Bounds cells = bounds.Of(index(first_row), index(rows), index(col), index(num_cols));
 
-  // Before every edge, and before the plane that is seen beyond; if there is none, before everything by a
-  // margin that does for planes seen at up to 60 degrees.
+  // Before all that the window shows, or before all of its edges and the plane at its centre; likewise
+  // behind.
   const Lanes far_m = distance_m + radius_m;
-  const auto [on_plane, height_m] = observer.HeightOf(pixel, distance_m, per_cos_elevation);
-  const Mask before_edges = far_m < ranges.nearest_edge_m - truncation_m;
-  const Mask before_plane = on_plane & (height_m > truncation_m + 1.1f * radius_m);
-  const Mask before_all = far_m < ranges.nearest_m - 2 * truncation_m;
-  const Mask no_edge = ranges.nearest_edge_m > range_max_m;
-  const Mask behind_plane = on_plane & no_edge & (height_m < -(truncation_m + 1.1f * radius_m));
-  const Mask behind_all = (distance_m - radius_m > ranges.farthest_m + 2 * truncation_m) | behind_plane;
-  BrickSight sight;
-  sight.passed = Without(before_all | (before_edges & before_plane), too_wide);
-  sight.seen = Without(Mask::Everywhere(), Without(Without(behind_all, too_wide) | out_of_view, around));
+  Mask before = far_m<cells.band_begin_m, behind = distance_m - radius_m> cells.band_end_m;
+  const Mask before_edges = far_m<cells.edge_begin_m, no_edge = cells.edge_begin_m> range_max_m;
+  if (Without(before_edges, before | behind | out_of_view).any()) {
+    const auto [on_plane, height_m] = observer.HeightOf(pixel, distance_m, per_cos_elevation);
+    const float clear_m = truncation_m + 1.1f * radius_m;
+    before = before | (on_plane & before_edges & (height_m > clear_m));
+    behind = behind | (on_plane & no_edge & (height_m < -clear_m));
+  }
+  const Mask passed = Without(before, too_wide);
   const Mask in_view = (low >= 0.0f) & (high <= last_row) & (far_m < range_max_m);
-  sight.free = sight.passed & in_view & ranges.all_valid;
-  sight.farthest_m = ranges.farthest_m;
+  BrickSight sight;
+  sight.seen = Bits(Without(Mask::Everywhere(), Without(Without(behind, too_wide) | out_of_view, around)));
+  sight.passed = Bits(passed);
+  sight.free = Bits(passed & in_view & cells.all_valid);
+  Store(sight.farthest_m, cells.farthest_m);
   return sight;
 }
 

@@ -9,39 +9,53 @@
 
 namespace citrine::fusion {
 
-/// Nearest and farthest range in windows of a range image, by tables of overlapping windows of 2^a x 2^b
-/// beams for all a and b: each window asked for lies in one that is at most four times as long and as wide.
+/// Bounds of what the cells in windows of a range image can say, a cell being the four beams around a
+/// direction (VoxelObserver), by tables of overlapping windows of 2^(a+1) x 2^(b+1) cells for all a and b.
+///
+/// Each window asked for lies in one that is less than four times as long and as wide.
 class RangeBounds {
  public:
-  static constexpr int kRowLevels = 6, kColLevels = 7;  ///< 2^level beams from one window to the next
+  static constexpr int kRowLevels = 6, kColLevels = 7;  ///< 2^level cells from one window to the next
   static constexpr int kWidest = 1 << (kColLevels - 1), kHighest = 1 << (kRowLevels - 1);
 
   /// Follows an image; memory of the one before is used again.
-  /// @param no_return_m  the range that a beam without return has for the farthest
-  void Take(const RangeImage& image, double no_return_m);
+  /// @param truncation_m  how far before and behind a surface it is spoken of
+  /// @param least_rad  extent of the smallest window that will be asked for: tables of finer ones are left
+  /// out
+  void Take(const RangeImage& image, double truncation_m, double least_rad = 0);
 
-  struct Ranges {
-    Lanes nearest_m;       ///< return; beyond every range if there is none
-    Lanes nearest_edge_m;  ///< return that borders on a cell which is not one surface; likewise
-    Lanes farthest_m;      ///< return; `no_return_m` if a beam has none; 0 if all are invalid
+  struct Bounds {
+    Lanes band_begin_m;  ///< nearer than this no surface is within the truncation; beyond every range if none
+                         ///< is
+    Lanes edge_begin_m;  ///< the same of cells that do not show one surface
+    Lanes band_end_m;    ///< farther than this nothing is said
+    Lanes farthest_m;    ///< return; the greatest range if a beam has none
     Mask all_valid;
   };
-  /// Over rows [row, row + rows] within the image and columns [col, col + cols], col in [0, model.cols); at
-  /// most kHighest and kWidest more.
-  Ranges Of(__m256i row, __m256i rows, __m256i col, __m256i cols) const;
+  /// Over rows of cells [row, row + rows] within the image and columns [col, col + cols], col in [0,
+  /// model.cols); at most kHighest and kWidest more.
+  Bounds Of(__m256i row, __m256i rows, __m256i col, __m256i cols) const;
 
  private:
-  void CodeBeams(const RangeImage& image, float no_return_m);
-  void JoinCols(int level);
+  using Eight = std::array<std::int32_t, 8>;
+  void Lay(int cell_rows, int cols);
+  void CodeRow(const RangeImage& image, int row, float truncation_m);
+  __m256i CodeOfReturns(const float* at, int stride, float truncation_m, float up, float left) const;
+  void HalveLine(int words);
+  void JoinCells(int row);
+  void JoinCols(int row);
   void JoinRows(int level);
+  std::uint32_t* Windows(int row_level, int row, int col_level) {
+    return &windows_[static_cast<std::size_t>(first_row_[row_level] + row) * stride_ + first_col_[col_level]];
+  }
+  static int RowsOf(int rows, int level) { return ((rows - 1) >> level) + 1; }
 
-  float steps_per_m_ = 1, m_per_step_ = 1;
-  int rows_ = 0;
-  /// Beams, then the tables: a byte each for the three ranges, in steps, the last as 255 less it, and one for
-  /// validity, so that the least of each byte is that of a union.
-  std::vector<std::uint32_t> beams_, windows_;
-  std::array<std::int32_t, kRowLevels * 8> offset_{};  ///< of a level's table, by 8 a + b
-  alignas(32) std::array<std::int32_t, 8> stride_{};   ///< of its rows, by b
+  float steps_per_m_ = 1, m_per_step_ = 1, range_max_m_ = 0;
+  int rows_ = 0, least_row_level_ = 0, least_col_level_ = 0, stride_ = 0;
+  /// A byte each, in steps, the last two as 255 less it and of these the last 0 where a beam is invalid: so
+  /// that the least of each byte is that of a union.
+  std::vector<std::uint32_t> line_, groups_, windows_;
+  alignas(32) Eight first_row_{}, first_col_{};  ///< of a level's tables in the whole, by level
 };
 
 }  // namespace citrine::fusion

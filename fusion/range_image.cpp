@@ -24,8 +24,8 @@ void Put(std::uint32_t* to, Mask mask) {
 /// d, to within 0.6 voxel of range. On a plane q follows a cosine of the angle: before + after = 2 cos(step)
 /// here.
 Mask OneSurface(Lanes a, Lanes b, Lanes c, Lanes d, Lanes twice_cos_step, Lanes voxel_m) {
+  if (!(b > 0.0f).any()) return Mask::Nowhere();
   const Lanes nearest_to_zero = Min(b, c);
-  if (!(nearest_to_zero > 0.0f).any()) return Mask::Nowhere();
   const Lanes tolerance = voxel_m * 0.6f * nearest_to_zero * nearest_to_zero;
   const Mask on_plane_with_a = (a > 0.0f) & (Abs(a + c - twice_cos_step * b) < tolerance);
   const Mask on_plane_with_d = (d > 0.0f) & (Abs(d + b - twice_cos_step * c) < tolerance);
@@ -75,22 +75,27 @@ void RangeImage::LinkNeighbours(double voxel_m) {
   const int cols = model_.cols, lanes = (cols + 8) / 8 * 8;
   up_.assign(static_cast<std::size_t>(lanes) + 8, 0);
   left_.assign(2 * static_cast<std::size_t>(lanes), 0);
+  const __m256 lowest_bit = _mm256_castsi256_ps(_mm256_set1_epi32(1));
   const auto link_left = [&](int row) {
     const float* at = inverse_range() + static_cast<std::ptrdiff_t>(row) * stride_;
+    std::uint32_t* left = &left_[static_cast<std::size_t>(row % 2) * lanes];
     for (int col = 0; col < cols; col += 8)
-      Put(&left_[static_cast<std::size_t>(row % 2) * lanes + col],
+      Put(left + col,
           OneSurface(At(at + col - 1), At(at + col), At(at + col + 1), At(at + col + 2), cos_col, voxel));
   };
   link_left(0);
   for (int row = 0; row + 1 < model_.rows; ++row) {
     link_left(row + 1);
     float* at = &inverse_range_[kTurnedLeft + static_cast<std::size_t>(row + 1) * stride_];
+    const std::uint32_t *left = &left_[static_cast<std::size_t>(row % 2) * lanes],
+                        *left_above = &left_[static_cast<std::size_t>((row + 1) % 2) * lanes];
     for (int col = 0; col < lanes; col += 8)
       Put(&up_[col], OneSurface(At(at + col - stride_), At(at + col), At(at + col + stride_),
                                 At(at + col + 2 * static_cast<std::ptrdiff_t>(stride_)), cos_row, voxel));
-    const __m256 lowest_bit = _mm256_castsi256_ps(_mm256_set1_epi32(1));
     for (int col = 0; col < cols; col += 8) {
-      const Mask one_surface = At(&up_[col]) & At(&up_[col + 1]) & At(&left_[col]) & At(&left_[lanes + col]);
+      const Mask across = At(left + col) & At(left_above + col);
+      if (!across.any()) continue;
+      const Mask one_surface = At(&up_[col]) & At(&up_[col + 1]) & across;
       _mm256_storeu_ps(at + col, _mm256_or_ps(At(at + col).v, _mm256_and_ps(one_surface.v, lowest_bit)));
     }
     Turn(at);

@@ -5,10 +5,10 @@
 
 #include "core/map/tsdf_map.h"
 #include "core/sensor/lidar_scan.h"
-#include "fusion/brick_sight.h"
-#include "fusion/lanes.h"
+#include "fusion/brick_finder.h"
 #include "fusion/range_bounds.h"
 #include "fusion/range_image.h"
+#include "fusion/scan_view.h"
 #include "fusion/voxel_observer.h"
 #include "fusion/weight_policy.h"
 
@@ -30,12 +30,10 @@ class TsdfIntegrator {
   std::vector<int> Integrate(const LidarScan& scan);
 
  private:
-  struct View;
-  void FindCandidates(const View& view);
-  bool IntegrateBlock(const View& view, int block);
-  bool ObserveBricks(const View& view, const VoxelIndex& origin, TsdfBlock& block) const;
-  /// Takes bricks of an octant (one bit each) for free, by what was seen of octant or brick `number`.
-  bool Free(const BrickSight& sight, int number, int first_brick, int bricks, TsdfBlock& block) const;
+  void FindCandidates(const ScanView& view);
+  /// Of the candidates from `begin` to `end`.
+  void IntegrateBlocks(const ScanView& view, int begin, int end, BrickFinder& finder);
+  bool FuseFree(float farthest_m, int brick, TsdfBlock& block) const;
   bool Fuse(const Observation& observation, int brick, TsdfBlock& block) const;
   void CountPoints(const LidarScan& scan, std::vector<int>& changed);
 

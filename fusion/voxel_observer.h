@@ -24,9 +24,6 @@ class VoxelObserver {
   /// @param image  must outlive the observer
   VoxelObserver(const RangeImage& image, double voxel_m, double truncation_m);
 
-  /// @param x,y,z  [m] voxel centres in the sensor frame
-  Observation Observe(Lanes x, Lanes y, Lanes z) const;
-
   /// [pixels] of a direction: row 0 and column 0 are those of the first beams.
   struct Pixel {
     Lanes row, col;
@@ -45,7 +42,6 @@ class VoxelObserver {
   float rows_a_radian() const { return per_row_; }
   float cols_a_radian() const { return per_col_; }
 
- private:
   /// Inverse ranges of the four beams around a pixel, and where between them it lies.
   struct Cell {
     LanePair lower, upper;  ///< of two rows; columns to the left and right
@@ -56,6 +52,18 @@ class VoxelObserver {
                  row_share);
     }
   };
+  /// Eight voxels and the cells that their beams pass.
+  struct Look {
+    Mask in_view;
+    Lanes distance_m, level_m;  ///< from the sensor, and from its axis
+    Pixel pixel;
+    Cell cell;
+  };
+  /// @param x,y,z  [m] voxel centres in the sensor frame
+  Look LookAt(Lanes x, Lanes y, Lanes z) const;
+  Observation Observe(const Look& look) const;
+
+ private:
   /// The plane n.p = c through the returns of a cell: g = n/c has q = g.u along the beam, and the slopes of q
   /// across it.
   struct Plane {
@@ -129,23 +137,31 @@ inline VoxelObserver::Height VoxelObserver::HeightOf(const Pixel& pixel, Lanes d
   return {cell.one_surface, (Lanes(1.0f) - distance_m * plane.q) * plane.per_g};
 }
 
-inline Observation VoxelObserver::Observe(Lanes x, Lanes y, Lanes z) const {
-  const Lanes level2 = MulAdd(x, x, y * y), level = Sqrt(level2), distance_m = Sqrt(MulAdd(z, z, level2));
-  const Pixel pixel{(AtanRight(z, level) - elevation_min_) * per_row_,
-                    MulAdd(Atan2(y, x), per_col_, centre_col_)};
-  const Mask in_view = (pixel.row >= -0.5f) & (pixel.row <= last_row_ + 0.5f) &
-                       (distance_m < range_max_m_ + truncation_m_) & (distance_m > 1e-3f);
+inline VoxelObserver::Look VoxelObserver::LookAt(Lanes x, Lanes y, Lanes z) const {
+  Look look;
+  const Lanes level2 = MulAdd(x, x, y * y);
+  look.level_m = Sqrt(level2);
+  look.distance_m = Sqrt(MulAdd(z, z, level2));
+  look.pixel = {(AtanRight(z, look.level_m) - elevation_min_) * per_row_,
+                MulAdd(Atan2(y, x), per_col_, centre_col_)};
+  look.in_view = (look.pixel.row >= -0.5f) & (look.pixel.row <= last_row_ + 0.5f) &
+                 (look.distance_m < range_max_m_ + truncation_m_) & (look.distance_m > 1e-3f);
+  look.cell = CellAt(look.pixel);
+  return look;
+}
+
+inline Observation VoxelObserver::Observe(const Look& look) const {
+  const auto& [in_view, distance_m, level_m, pixel, cell] = look;
   if (!in_view.any())
     return {.said = in_view, .in_band = in_view, .sdf_m = 0.0f, .weight = 0.0f, .share = 0.0f};
 
-  const Lanes per_cos_elevation = Min(distance_m / Max(level, 1e-6f), 20.0f);
-  const Cell cell = CellAt(pixel);
+  const Lanes per_cos_elevation = Min(distance_m / Max(level_m, 1e-6f), 20.0f);
   const Mask smooth = cell.one_surface;
   Observation observation;
   if (!Without(in_view, smooth).any()) {
     observation = AlongNormal(cell, pixel, distance_m, per_cos_elevation);
   } else {
-    observation = AlongBeam(cell, distance_m, level);
+    observation = AlongBeam(cell, distance_m, level_m);
     if ((smooth & in_view).any()) {
       const Observation normal = AlongNormal(cell, pixel, distance_m, per_cos_elevation);
       observation.said = Select(smooth, normal.said, observation.said);

@@ -1,8 +1,12 @@
 #include "fusion/range_bounds.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "fusion/voxel_observer.h"
 
 namespace citrine::fusion {
 namespace {
@@ -21,74 +25,114 @@ LidarScan RandomScan(int rows, int cols, Random& random) {
   return scan;
 }
 
-TEST(RangeBounds, HoldTheRangesOfEveryWindowAsBruteForceFindsThem) {
-  constexpr double kNoReturn_m = 9;
-  const float step_m = 10.0f / 252;  // ranges are kept in bytes
+constexpr double kTruncation_m = 0.5, kVoxel_m = 0.25;
+
+/// Of one lane, all of which are asked the same.
+struct Bounds {
+  float band_begin_m, edge_begin_m, band_end_m, farthest_m;
+  bool all_valid;
+};
+Bounds Of(const RangeBounds& bounds, int row, int rows, int col, int cols) {
+  const RangeBounds::Bounds found = bounds.Of(_mm256_set1_epi32(row), _mm256_set1_epi32(rows),
+                                              _mm256_set1_epi32(col), _mm256_set1_epi32(cols));
+  const auto of_one = [](Lanes lanes) {
+    alignas(32) float values[8];
+    Store(values, lanes);
+    for (const float value : values) EXPECT_EQ(value, values[0]);
+    return values[0];
+  };
+  return {of_one(found.band_begin_m), of_one(found.edge_begin_m), of_one(found.band_end_m),
+          of_one(found.farthest_m), found.all_valid.all()};
+}
+
+TEST(RangeBounds, HoldWhatVoxelsInEveryWindowAreToldBySearchingThem) {
   Random random(1);
-  for (const auto& [rows, cols] : {std::pair{16, 90}, {32, 101}, {1, 8}, {3, 64}}) {
+  for (const auto& [rows, cols] : {std::pair{16, 90}, {32, 101}, {2, 8}, {3, 64}}) {
     const LidarScan scan = RandomScan(rows, cols, random);
     RangeImage image;
-    image.Take(scan, 0.25);
-    RangeBounds bounds;
-    bounds.Take(image, kNoReturn_m);
-    for (int k = 0; k < 400; ++k) {
-      const int row = static_cast<int>(random.Below(rows)), col = static_cast<int>(random.Below(cols));
-      const int more_rows = static_cast<int>(random.Below(std::min(rows - row, RangeBounds::kHighest)));
-      const int more_cols = 1 + static_cast<int>(random.Below(std::min(cols - 1, RangeBounds::kWidest - 1)));
-      float nearest = 1e9f, farthest = 0;
-      bool all_valid = true;
-      for (int r = row; r <= row + more_rows; ++r)
-        for (int c = col; c <= col + more_cols; ++c) {
-          const float range_m = scan.ranges_m[r * cols + c % cols];
-          if (range_m > 0) nearest = std::min(nearest, range_m), farthest = std::max(farthest, range_m);
-          if (range_m == kNoReturn) farthest = std::max(farthest, static_cast<float>(kNoReturn_m));
-          all_valid &= range_m >= 0;
+    image.Take(scan, kVoxel_m);
+    const VoxelObserver observer(image, kVoxel_m, kTruncation_m);
+    for (const double least_rad : {0.0, 2.5 * scan.model.col_step_rad()}) {
+      RangeBounds bounds;
+      bounds.Take(image, kTruncation_m, least_rad);
+      for (int k = 0; k < 400; ++k) {
+        const int row = static_cast<int>(random.Below(rows - 1)), col = static_cast<int>(random.Below(cols));
+        const int more_rows = static_cast<int>(random.Below(std::min(rows - 1 - row, RangeBounds::kHighest)));
+        const int more_cols =
+            1 + static_cast<int>(random.Below(std::min(cols - 1, RangeBounds::kWidest - 1)));
+        const Bounds found = Of(bounds, row, more_rows, col, more_cols);
+        for (int i = 0; i < 8; ++i) {
+          alignas(32) float x[8], y[8], z[8], distance_m[8];
+          for (int lane = 0; lane < 8; ++lane) {
+            const double elevation = scan.model.elevation_min_rad +
+                                     (row + random.Uniform(0, more_rows + 1)) * scan.model.row_step_rad();
+            const double azimuth =
+                scan.model.Azimuth(0) + (col + random.Uniform(0, more_cols + 1)) * scan.model.col_step_rad();
+            distance_m[lane] = static_cast<float>(random.Uniform(0.1, 10.4));
+            x[lane] = static_cast<float>(distance_m[lane] * std::cos(elevation) * std::cos(azimuth));
+            y[lane] = static_cast<float>(distance_m[lane] * std::cos(elevation) * std::sin(azimuth));
+            z[lane] = static_cast<float>(distance_m[lane] * std::sin(elevation));
+          }
+          const Observation told = observer.Observe(observer.LookAt(Load(x), Load(y), Load(z)));
+          for (int lane = 0; lane < 8; ++lane) {
+            EXPECT_TRUE(!(Bits(told.in_band) >> lane & 1) || distance_m[lane] >= found.band_begin_m - 1e-3f);
+            EXPECT_TRUE(!(Bits(told.said) >> lane & 1) || distance_m[lane] <= found.band_end_m + 1e-3f);
+          }
         }
-      const RangeBounds::Ranges found = bounds.Of(_mm256_set1_epi32(row), _mm256_set1_epi32(more_rows),
-                                                  _mm256_set1_epi32(col), _mm256_set1_epi32(more_cols));
-      alignas(32) float nearest_m[8], farthest_m[8];
-      Store(nearest_m, found.nearest_m);
-      Store(farthest_m, found.farthest_m);
-      // The window may be larger than asked for, never smaller.
-      EXPECT_LE(nearest_m[0], nearest);
-      EXPECT_GE(farthest_m[7] + 1e-3f, farthest);
-      EXPECT_TRUE(all_valid || !found.all_valid.any());
-      EXPECT_GE(nearest_m[0], nearest_m[7]);
+      }
     }
-    // A window of the least size is exact to within a step.
-    const RangeBounds::Ranges all =
-        bounds.Of(_mm256_set1_epi32(0), _mm256_set1_epi32(0), _mm256_set1_epi32(0), _mm256_set1_epi32(1));
-    float nearest = 1e6f;
-    for (int r = 0; r < std::min(rows, 2); ++r)
-      for (int c = 0; c < 2; ++c)
-        if (scan.ranges_m[r * cols + c] > 0) nearest = std::min(nearest, scan.ranges_m[r * cols + c]);
-    alignas(32) float nearest_m[8];
-    Store(nearest_m, all.nearest_m);
-    EXPECT_NEAR(nearest_m[3], nearest, step_m + 1e-3f);
   }
 }
 
-TEST(RangeBounds, KnowAReturnAtTheEdgeOfASurfaceFromOneInsideOfIt) {
+TEST(RangeBounds, HoldTheFarthestRangeOfEveryWindowAndWhetherAllOfItIsValid) {
+  Random random(2);
+  const LidarScan scan = RandomScan(16, 90, random);
+  RangeImage image;
+  image.Take(scan, kVoxel_m);
+  RangeBounds bounds;
+  bounds.Take(image, kTruncation_m);
+  for (int k = 0; k < 400; ++k) {
+    const int row = static_cast<int>(random.Below(15)), col = static_cast<int>(random.Below(90));
+    const int more_rows = static_cast<int>(random.Below(15 - row)),
+              more_cols = static_cast<int>(random.Below(64));
+    float farthest_m = 0;
+    bool all_valid = true;
+    for (int r = row; r <= row + more_rows + 1; ++r)
+      for (int c = col; c <= col + more_cols + 1; ++c) {
+        const float range_m = scan.ranges_m[r * 90 + c % 90];
+        farthest_m = std::max(farthest_m, range_m == kNoReturn ? 10.0f : range_m);
+        all_valid &= range_m >= 0;
+      }
+    const Bounds found = Of(bounds, row, more_rows, col, more_cols);
+    // The window may be larger than asked for, never smaller.
+    EXPECT_TRUE(all_valid || !found.all_valid);
+    EXPECT_TRUE(!found.all_valid || found.farthest_m + 1e-3f >= farthest_m);
+  }
+}
+
+TEST(RangeBounds, KnowAWallFromItsEdgeAndFromSky) {
   LidarScan scan;
   scan.model.rows = 32;
   scan.model.cols = 128;
   scan.ranges_m.assign(32 * 128, 5.0f);
-  for (int row = 0; row < 32; ++row)
+  for (int row = 0; row < 32; ++row) {
     for (int col = 64; col < 128; ++col) scan.ranges_m[row * 128 + col] = 8.0f;
+    for (int col = 96; col < 112; ++col) scan.ranges_m[row * 128 + col] = kNoReturn;
+  }
   RangeImage image;
-  image.Take(scan, 0.25);
+  image.Take(scan, kVoxel_m);
   RangeBounds bounds;
-  bounds.Take(image, 9);
-  const auto edge_m = [&](int col) {
-    alignas(32) float edge[8];
-    Store(edge,
-          bounds.Of(_mm256_set1_epi32(14), _mm256_set1_epi32(1), _mm256_set1_epi32(col), _mm256_set1_epi32(1))
-              .nearest_edge_m);
-    return edge[0];
-  };
-  EXPECT_GT(edge_m(30), 10);  // one surface all around
-  EXPECT_GT(edge_m(100), 10);
-  EXPECT_NEAR(edge_m(63), 5, 0.05);  // where it jumps, the nearer
+  bounds.Take(image, kTruncation_m);
+  constexpr float kSteps_m = 0.1f;  // of two codes
+  const Bounds wall = Of(bounds, 14, 0, 30, 0), edge = Of(bounds, 14, 0, 63, 0),
+               sky = Of(bounds, 14, 0, 100, 0);
+  EXPECT_GT(wall.edge_begin_m, 10);  // one surface all around
+  EXPECT_NEAR(wall.band_begin_m, 4.5, kSteps_m);
+  EXPECT_NEAR(wall.band_end_m, 5.5, kSteps_m);
+  EXPECT_NEAR(edge.edge_begin_m, 4.5, kSteps_m);  // where it jumps: the nearer
+  EXPECT_NEAR(edge.band_end_m, 8.5, kSteps_m);    // and the farther
+  EXPECT_GT(sky.band_begin_m, 10);
+  EXPECT_NEAR(sky.band_end_m, 10, kSteps_m);
 }
 
 }  // namespace
