@@ -61,8 +61,8 @@ class PlanningMap {
   double distance_m(std::size_t linear) const { return quantisation_.Distance(distance_[linear]); }
   double weight(std::size_t linear) const { return quantisation_.Weight(weight_[linear]); }
 
-  /// [m] to the nearest voxel that the surface passes: known and d < d_s / 2. Never over by more than half a
-  /// voxel.
+  /// [m] to the nearest voxel that the surface passes: known and d < d_s / 2. Over by half a voxel at
+  /// most before flat surfaces, by half the diagonal of one at convex edges.
   const DistanceField& to_occupied() const { return to_occupied_; }
   /// [m] to the nearest unknown voxel inside the mission volume.
   const DistanceField& to_unknown() const { return to_unknown_; }

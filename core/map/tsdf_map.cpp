@@ -1,10 +1,24 @@
 #include "core/map/tsdf_map.h"
 
+#include <array>
 #include <utility>
 
 #include "core/grid/grid_around.h"
 
 namespace citrine {
+namespace {
+
+/// VoxelGrid::InBlock by TsdfBlock::IndexOf.
+const std::array<std::int16_t, kBlockVoxels> kInBlockOf = [] {
+  std::array<std::int16_t, kBlockVoxels> in_block{};
+  for (int z = 0; z < kBlockSide; ++z)
+    for (int y = 0; y < kBlockSide; ++y)
+      for (int x = 0; x < kBlockSide; ++x)
+        in_block[TsdfBlock::IndexOf({x, y, z})] = static_cast<std::int16_t>(VoxelGrid::InBlock({x, y, z}));
+  return in_block;
+}();
+
+}  // namespace
 
 TsdfMap::TsdfMap(const VoxelGrid& grid, double truncation_m)
     : grid_(grid), truncation_m_(truncation_m), blocks_(grid.num_blocks()), version_(grid.num_blocks(), 0) {}
@@ -43,15 +57,18 @@ MapBlock TsdfMap::Quantise(int block, const Quantisation& quantisation) const {
   coded.version = version_[block];
   const TsdfBlock* full = Find(block);
   if (!full) return coded;
-  for (int z = 0; z < kBlockSide; ++z)
-    for (int y = 0; y < kBlockSide; ++y)
-      for (int x = 0; x < kBlockSide; ++x) {
-        const VoxelIndex voxel(x, y, z);
-        const int from = TsdfBlock::IndexOf(voxel), to = VoxelGrid::InBlock(voxel);
-        if (!(full->weight[from] > 0)) continue;
+  for (int brick = 0; brick < kBlockBricks; ++brick) {
+    const bool clear = full->clear_bricks >> brick & 1;
+    for (int from = brick * kBrickVoxels; from < (brick + 1) * kBrickVoxels; ++from) {
+      const int to = kInBlockOf[from];
+      if (clear) {
+        coded.distance[to] = kFreeCode;
+      } else if (full->weight[from] > 0) {
         coded.distance[to] = quantisation.DistanceCode(full->distance_m[from]);
         if (coded.distance[to] < kFreeCode) coded.weight[to] = quantisation.WeightCode(full->quality[from]);
       }
+    }
+  }
   return coded;
 }
 
