@@ -13,6 +13,11 @@ namespace citrine {
 
 inline constexpr int kToySteps = 40;
 
+/// Depends on all that was heard, in this order, and on how often.
+inline std::int64_t Mixed(std::int64_t sum, int factor, std::int64_t heard) {
+  return (factor * sum + heard) % 1000003;
+}
+
 /// Stands in for uav_dynamics: owns the time, answers paths with states. What it says depends on all that it
 /// has heard.
 class ToyDynamics : public Module {
@@ -26,10 +31,10 @@ class ToyDynamics : public Module {
       : context_(context), paths_(context.bus.HearAll(channels::kPath)) {}
   void Tick(const Step& step) override {
     step_ = step;
-    for (const auto& entry : paths_->Take()) sum_ = 31 * sum_ + 7 * entry.message.path_id + entry.uav;
+    for (const auto& entry : paths_->Take()) sum_ = Mixed(sum_, 31, 7 * entry.message.path_id + entry.uav);
     for (int uav = 1; uav <= context_.config.mission.uavs; ++uav) {
       citrine_lcm::uav_state_t state{};
-      state.p_WB[0] = static_cast<double>(sum_ % 1000003);
+      state.p_WB[0] = static_cast<double>(sum_);
       context_.bus.Publish(channels::kUavState, uav, state);
     }
   }
@@ -60,10 +65,9 @@ class ToyFollower : public Module {
         assignments_(context.bus.Hear(channels::kFleetAssignment)) {}
   void Tick(const Step& step) override {
     for (const auto& entry : states_->Take())
-      sum_ = 17 * sum_ + static_cast<std::int64_t>(entry.message.p_WB[0]) + entry.uav;
+      sum_ = Mixed(sum_, 17, static_cast<std::int64_t>(entry.message.p_WB[0]) + entry.uav);
     for (const auto& entry : assignments_->Take())
-      sum_ = 13 * sum_ + entry.message.plan_id + entry.message.sender;
-    sum_ %= 1000003;
+      sum_ = Mixed(sum_, 13, entry.message.plan_id + entry.message.sender);
     if (!kToyPerUav || step.index % 2 == 1) return;
     citrine_lcm::path_t path{};
     path.path_id = sum_;
