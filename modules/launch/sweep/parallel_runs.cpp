@@ -45,20 +45,14 @@ void WriteJobList(const std::vector<SweepJob>& jobs, const ParallelOptions& opti
 
 std::vector<std::string> ArgumentsOf(const ParallelOptions& options, const fs::path& list,
                                      const fs::path& log) {
-  std::vector<std::string> arguments = {"env",
-                                        "-C",
-                                        ProjectFolder(),
-                                        kJobShell,
-                                        kParallel,
-                                        "--will-cite",
-                                        "--arg-file",
-                                        list,
-                                        "--colsep",
-                                        "\t",
-                                        "--joblog",
-                                        log,
-                                        "--jobs",
-                                        options.jobs > 0 ? std::to_string(options.jobs) : "100%"};
+  std::vector<std::string> arguments = {
+      "env",           "-C",
+      ProjectFolder(), kJobShell,
+      kParallel,       "--will-cite",
+      "--arg-file",    list,
+      "--colsep",      "\t",
+      "--joblog",      log,
+      "--jobs",        options.jobs > 0 ? std::to_string(options.jobs) : "100%"};
   if (!options.hosts.empty())
     arguments.insert(arguments.end(),
                      {"--sshlogin", options.hosts, "--workdir", ProjectFolder(), "--return", "{1}"});
