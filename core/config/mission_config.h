@@ -158,9 +158,8 @@ struct PlannerSection {
   double decision_latency_s = 0.1;
   double lookahead_s = 1.4;
   double path_margin_m = 0.1;
+  std::string candidates = "patch";
   double hop_min_m = 2.5;
-  double tidy_m = 10;
-  int leftover_elements = 100;
 
   template <class V>
   void Visit(V& v) {
@@ -187,15 +186,19 @@ struct PlannerSection {
     v("lookahead_s", lookahead_s,
       Key{"the next view is chosen this long before the UAV would come to rest", "s", 0, 10});
     v("path_margin_m", path_margin_m, Key{"clearance that paths keep beyond the robot's radius", "m", 0, 5});
+    v("candidates", candidates,
+      Key{"views that J chooses among: those that settle most of the patch that is next on the UAV's tour, "
+          "or "
+          "all, the paper's letter; nearest_frontier chooses among all",
+          "",
+          0,
+          0,
+          {"patch", "all"}});
     v("hop_min_m", hop_min_m,
-      Key{"views nearer than this are not chosen where others are within twice as far: J_N would have the "
-          "UAV nibble at the edge of what it sees; 0 is the paper's letter",
+      Key{"of all: views nearer than this are not chosen where others are within twice as far: J_N would "
+          "have "
+          "the UAV nibble at the edge of what it sees; 0 is the paper's letter",
           "m", 0, 20});
-    v("tidy_m", tidy_m,
-      Key{"small groups of elements within this distance are settled before the UAV goes on; 0 is the "
-          "paper's letter",
-          "m", 0, 100});
-    v("leftover_elements", leftover_elements, Key{"elements that a small group has at most", "", 1, 1e6});
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -34,6 +35,9 @@ class FleetView {
   std::vector<Other> Alive(Utime now) const;
   /// All others, for the correction's protocol.
   std::vector<TeamMate> Mates(Utime now) const;
+  /// Views that mates have said to fly to and have reached since this was last asked, in order of arrival.
+  /// [m]
+  std::vector<Eigen::Vector3d> TakeLooks() { return std::exchange(looks_W_, {}); }
   int uavs() const { return static_cast<int>(heard_.size()); }
 
  private:
@@ -42,11 +46,13 @@ class FleetView {
     Utime state_at = 0, status_at = 0;
     Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
     FleetStatus status;
+    std::vector<Eigen::Vector3d> ahead_W;  ///< goals said and not yet reached; the newest last
   };
   bool AliveAt(const Heard& heard, Utime now) const;
 
   int uav_;
   std::vector<Heard> heard_;
+  std::vector<Eigen::Vector3d> looks_W_;
 };
 
 }  // namespace citrine::planner

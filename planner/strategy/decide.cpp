@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "planner/fleet/balance.h"
+#include "planner/path/tour.h"
 #include "planner/strategy/view_planner.h"
+#include "planner/view/rated_views.h"
 #include "planner/view/shortlist.h"
 #include "planner/view/well_seen.h"
 
@@ -12,8 +14,9 @@ namespace {
 constexpr double kGroup_m = 0.75;      ///< elements this near to a view's own share it (a cell of 3 voxels)
 constexpr double kGoalsApart_m = 0.5;  ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
-constexpr double kStandOff_s = 3.0;  ///< until a view that an idle mate stands by is asked for again
-constexpr double kWarmUp_s = 3.0;    ///< before it the map is too young to say that nothing is left
+constexpr double kStandOff_s = 3.0;        ///< until a view that an idle mate stands by is asked for again
+constexpr double kWarmUp_s = 3.0;          ///< before it the map is too young to say that nothing is left
+constexpr std::size_t kLeftToMates = 100;  ///< elements nearer to mates that are still at work
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
 }  // namespace
@@ -63,7 +66,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   elements_active_ = static_cast<std::int32_t>(prospect.elements.size());
   if (goal_ && goal_->finished) {
     const bool there = (state_->X_WB.p - goal_->view.p_W).norm() < 0.5;
-    RememberLook(prospect.elements, goal_->view, there ? state_->X_WB.p : start.p_W, there, now);
+    RememberLook(there ? state_->X_WB.p : start.p_W, there ? &goal_->view : nullptr, now);
   }
 
   std::vector<std::uint32_t> taken;
@@ -89,32 +92,81 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   prospect.candidates = MakeCandidates(map_, prospect.elements, generator_, per_cell, start.p_W,
                                        goal_ ? kFlying : kIdle, memory_);
   for (const View& view : prospect.candidates.views)
-    if (!Excluded(view, prospect.others, now)) prospect.views.push_back(view);
-  Shorten(prospect.views, prospect.elements, start.p_W,
-          {config_.planner.tidy_m, config_.planner.leftover_elements, config_.planner.hop_min_m});
+    if (!Excluded(view.p_W, prospect.others, now)) prospect.views.push_back(view);
+  if (!TakeRatedViews(prospect, start.p_W, now))
+    LeaveNearOnes(prospect.views, start.p_W, config_.planner.hop_min_m);
   return prospect;
 }
 
-void ViewPlanner::RememberLook(const std::vector<Element>& elements, const View& view,
-                               const Eigen::Vector3d& p_W, bool at_view, Utime now) {
-  std::vector<std::uint32_t> seen = WellSeenFrom(map_, elements, window_, p_W);
-  const std::uint32_t own = view.element;
-  const bool active = surface_.At(own) >= SurfaceClass::kLqse && !memory_.Skips(own);
-  if (at_view && active && !std::binary_search(seen.begin(), seen.end(), own)) seen.push_back(own);
+bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const {
+  if (config_.planner.candidates == "all" || config_.planner.strategy != "quality_adaptive") return false;
+  std::vector<Element> mine;
+  for (const Element& element : prospect.elements)
+    if (Mine(element.p_W, p_W, prospect.others, now)) mine.push_back(element);
+  if (mine.empty()) {
+    const bool mates_work =
+        std::any_of(prospect.others.begin(), prospect.others.end(),
+                    [](const FleetView::Other& other) { return other.has_goal || other.deciding; });
+    if (mates_work && prospect.elements.size() < kLeftToMates) {
+      prospect.views.clear();
+      return true;
+    }
+    mine = prospect.elements;
+  }
+  const std::vector<Patch> patches = PatchesOf(mine);
+  std::vector<Eigen::Vector3d> centres_W;
+  for (const Patch& patch : patches) centres_W.push_back(patch.centre_W);
+  const auto allowed = [&](const Eigen::Vector3d& view_W) {
+    return MayStand(view_W) && !Excluded(view_W, prospect.others, now);
+  };
+  for (const std::size_t next : ShortTour(p_W, centres_W)) {
+    std::vector<View> views = RatedViews(map_, window_, mine, patches[next], prospect.views, allowed, p_W);
+    if (views.empty()) continue;
+    prospect.views = std::move(views);
+    return true;
+  }
+  return false;
+}
+
+bool ViewPlanner::Mine(const Eigen::Vector3d& element_W, const Eigen::Vector3d& p_W,
+                       const std::vector<FleetView::Other>& others, Utime now) const {
+  if (const FleetAssignment* correction = correction_.Current(now))
+    return VoronoiCell(element_W, correction->centroid_W_by_uav) == uav_ - 1;
+  return std::none_of(others.begin(), others.end(), [&](const FleetView::Other& other) {
+    return (other.x_W() - element_W).norm() < (p_W - element_W).norm();
+  });
+}
+
+void ViewPlanner::RememberLook(const Eigen::Vector3d& p_W, const View* at, Utime now) {
+  std::vector<std::uint32_t> seen = WellSeenFrom(map_, ElementsNear(p_W), window_, p_W);
+  const auto active = [&](std::uint32_t voxel) {
+    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
+  };
+  if (at && active(at->element) && !std::binary_search(seen.begin(), seen.end(), at->element))
+    seen.push_back(at->element);
   std::vector<ElementMemory::Before> before;
   for (const std::uint32_t voxel : seen) before.push_back(memory_.Note(map_, voxel));
   looks_.Add(std::move(before), map_.revision(), now);
 }
 
-bool ViewPlanner::Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const {
+std::vector<Element> ViewPlanner::ElementsNear(const Eigen::Vector3d& p_W) const {
+  const double near_m = surface_.goals().d_star_max();
+  return ListElements(map_, surface_, [&](std::uint32_t voxel) {
+    return memory_.Skips(voxel) ||
+           (map_.grid().Centre(map_.grid().FromLinear(voxel)) - p_W).squaredNorm() > near_m * near_m;
+  });
+}
+
+bool ViewPlanner::Excluded(const Eigen::Vector3d& view_W, const std::vector<FleetView::Other>& others,
+                           Utime now) const {
   for (const Blocked& blocked : blocked_)
-    if (now < blocked.until && (view.p_W - blocked.p_W).norm() < kBlockedNear_m) return true;
+    if (now < blocked.until && (view_W - blocked.p_W).norm() < kBlockedNear_m) return true;
   const double apart = 2 * config_.uav.limits.radius_m + kGoalsApart_m;
   for (const FleetView::Other& other : others) {
-    const double distance = (view.p_W - other.x_W()).norm();
+    const double distance = (view_W - other.x_W()).norm();
     if (distance >= apart) continue;
     // Of two UAVs near a view the nearer one has it, lest both leave it to the other.
-    if (other.has_goal || distance < (view.p_W - state_->X_WB.p).norm()) return true;
+    if (other.has_goal || distance < (view_W - state_->X_WB.p).norm()) return true;
   }
   return false;
 }
@@ -176,7 +228,7 @@ std::optional<std::size_t> ViewPlanner::Choose(const Prospect& prospect, const S
       path = std::move(*found);
       return true;
     }
-    blocked_.push_back({view.p_W, now + FromSeconds(10.0)});
+    blocked_.push_back({view.p_W, now + FromSeconds(kBlocked_s)});
     memory_.CountBlocked(map_, view.element);
     without_way.push_back(static_cast<std::size_t>(&view - prospect.views.data()));
     return false;

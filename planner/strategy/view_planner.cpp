@@ -15,7 +15,6 @@ constexpr double kIdlePeriod_s = 0.5;
 constexpr double kStalled_s = 2.0;
 constexpr double kLate_s =
     2.0;  ///< after it would have been at rest there, a view that was to be passed is given up
-constexpr double kBlocked_s = 10.0;
 constexpr int kWaitSteps = 5;
 constexpr double kLittle = 0.25;  ///< share of a goal's elements below which little gain is left
 
@@ -35,10 +34,7 @@ ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap
       window_(config.lidar.model),
       surface_(map.grid(), map.quantisation(), config.quality_goals()),
       reachable_(map, config.uav.limits, config.planner.path_margin_m),
-      generator_(map, window_,
-                 [this](const Eigen::Vector3d& p_W) {
-                   return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0;
-                 },
+      generator_(map, window_, [this](const Eigen::Vector3d& p_W) { return MayStand(p_W); },
                  {config.quality.eta_m, config.map.weight_policy != "best_view"}),
       memory_(map.grid(), config.lidar.model.range_max_m),
       looks_(SettleTime(config)),
@@ -71,6 +67,10 @@ void ViewPlanner::HearMap(Utime now) {
   map_is_new_ = true;
 }
 
+bool ViewPlanner::MayStand(const Eigen::Vector3d& p_W) const {
+  return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0;
+}
+
 TrajectoryPoint ViewPlanner::Ahead(Utime now) const {
   if (trajectory_) return trajectory_->At(now + FromSeconds(config_.smoother.replan_ahead_s + 0.04));
   TrajectoryPoint point;
@@ -90,6 +90,7 @@ ViewPlanner::Outcome ViewPlanner::Tick(Utime now, std::int64_t map_version) {
   Outcome outcome;
   if (!state_ || first_map_ < 0) return outcome;
   correction_.Update(fleet_.Mates(now), now);
+  for (const Eigen::Vector3d& look_W : fleet_.TakeLooks()) RememberLook(look_W, nullptr, now);
   if (looks_.Judge(map_, surface_, now, memory_)) retry_ = true;
   if (passing_) Pass(now);
   if (!deciding_since_ && (goal_ ? GoalCallsForDecision(now) : IdleCallsForDecision(now))) Trigger(now);
@@ -162,9 +163,7 @@ bool ViewPlanner::SeenOnLeaving(Utime now) const {
 void ViewPlanner::Pass(Utime now) {
   const View view = passing_->view;
   const bool there = (state_->X_WB.p - view.p_W).norm() <= kReached_m;
-  if (there)
-    RememberLook(ListElements(map_, surface_, [&](std::uint32_t voxel) { return memory_.Skips(voxel); }),
-                 view, view.p_W, true, now);
+  if (there) RememberLook(view.p_W, &view, now);
   if (there || now > passing_->until) passing_.reset();
 }
 

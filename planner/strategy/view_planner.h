@@ -79,6 +79,7 @@ class ViewPlanner {
     bool finished = false;  ///< reached, or as good as
     bool looked_ahead = false;
   };
+  static constexpr double kBlocked_s = 4.0;  ///< until a view that could not be flown to is tried again
   struct Blocked {
     Eigen::Vector3d p_W;
     Utime until;
@@ -122,10 +123,19 @@ class ViewPlanner {
   /// Counts views that are left to an idle mate, who does not take them: after three times they are given up.
   void CountStandOffs(const Prospect& prospect, Utime now);
   void NoChoice(const Prospect& prospect, Utime now);
-  /// @param at_view whether it is looked from where the view is, and not only on the way to it
-  void RememberLook(const std::vector<Element>& elements, const View& view, const Eigen::Vector3d& p_W,
-                    bool at_view, Utime now);
-  bool Excluded(const View& view, const std::vector<FleetView::Other>& others, Utime now) const;
+  /// Notes what a look should settle, this UAV's own or a mate's, to be judged when the map tells of it.
+  /// @param at the view that is looked from. nullptr: looked on the way to one, or by a mate
+  void RememberLook(const Eigen::Vector3d& p_W, const View* at, Utime now);
+  /// The elements within the largest d*.
+  std::vector<Element> ElementsNear(const Eigen::Vector3d& p_W) const;
+  /// Replaces the views by those that settle most of the patch that is next on this UAV's tour. false: there
+  /// are none
+  bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
+  /// Whether an element is this UAV's to settle: it lies in its region, or is no nearer to a mate.
+  bool Mine(const Eigen::Vector3d& element_W, const Eigen::Vector3d& p_W,
+            const std::vector<FleetView::Other>& others, Utime now) const;
+  bool MayStand(const Eigen::Vector3d& p_W) const;
+  bool Excluded(const Eigen::Vector3d& view_W, const std::vector<FleetView::Other>& others, Utime now) const;
 
   MissionConfig config_;
   int uav_;

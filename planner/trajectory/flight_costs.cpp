@@ -35,6 +35,10 @@ double AccelerationCost(double acceleration_max_mps2, const FlightSample& x, dou
   return NormCost(acceleration_max_mps2, x.a, weight, &by->a);
 }
 
+double JerkCost(double jerk_max_mps3, const FlightSample& x, double weight, FlightSample* by) {
+  return NormCost(jerk_max_mps3, x.j, weight, &by->j);
+}
+
 double VolumeCost(const Eigen::AlignedBox3d& box_W, const FlightSample& x, double weight, FlightSample* by) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -15,6 +15,7 @@ struct FlightSample {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   Eigen::Vector3d a = Eigen::Vector3d::Zero();
+  Eigen::Vector3d j = Eigen::Vector3d::Zero();
   double t_s = 0;
 };
 
@@ -34,6 +35,8 @@ double ClearanceCost(const DistanceField& field, double clearance_m, const Fligh
 double SpeedCost(double speed_max_mps, const FlightSample& x, double weight, FlightSample* by);
 /// The same of |a|^2.
 double AccelerationCost(double acceleration_max_mps2, const FlightSample& x, double weight, FlightSample* by);
+/// The same of |jerk|^2.
+double JerkCost(double jerk_max_mps3, const FlightSample& x, double weight, FlightSample* by);
 /// Way outside of a box [m], every axis by itself.
 double VolumeCost(const Eigen::AlignedBox3d& box_W, const FlightSample& x, double weight, FlightSample* by);
 /// Closeness to a teammate at the same time: excess of separation^2 over distance^2, relative to it.

@@ -11,11 +11,13 @@ namespace {
 constexpr int kSamples = 10;  ///< a piece
 constexpr double kOccupiedRoom_m = 0.2, kUnknownRoom_m = 0.12, kTeammateRoom_m = 0.3;
 constexpr double kVolumeRoom_m = 0.05;
+constexpr double kJerkMax_mps3 =
+    40;  ///< beyond it the vehicle, whose thrust has to turn first, overshoots the acceleration
 
-/// The six quintic Hermite functions and their first two derivatives at a share of a piece, in the order
+/// The six quintic Hermite functions and their first three derivatives at a share of a piece, in the order
 /// p0, v0, a0, p1, v1, a1; v counts times the duration, a times its square.
 struct Hermite {
-  std::array<double, 6> value, first, second;
+  std::array<double, 6> value, first, second, third;
 };
 
 constexpr Hermite HermiteAt(double s) {
@@ -26,7 +28,9 @@ constexpr Hermite HermiteAt(double s) {
       {-30 * s2 + 60 * s3 - 30 * s4, 1 - 18 * s2 + 32 * s3 - 15 * s4, s - 4.5 * s2 + 6 * s3 - 2.5 * s4,
        30 * s2 - 60 * s3 + 30 * s4, -12 * s2 + 28 * s3 - 15 * s4, 1.5 * s2 - 4 * s3 + 2.5 * s4},
       {-60 * s + 180 * s2 - 120 * s3, -36 * s + 96 * s2 - 60 * s3, 1 - 9 * s + 18 * s2 - 10 * s3,
-       60 * s - 180 * s2 + 120 * s3, -24 * s + 84 * s2 - 60 * s3, 3 * s - 12 * s2 + 10 * s3}};
+       60 * s - 180 * s2 + 120 * s3, -24 * s + 84 * s2 - 60 * s3, 3 * s - 12 * s2 + 10 * s3},
+      {-60 + 360 * s - 360 * s2, -36 + 192 * s - 180 * s2, -9 + 36 * s - 30 * s2, 60 - 360 * s + 360 * s2,
+       -24 + 168 * s - 180 * s2, 3 - 24 * s + 30 * s2}};
 }
 
 constexpr std::array<Hermite, kSamples + 1> kHermite = [] {
@@ -41,11 +45,17 @@ struct Weighed {
   Eigen::Vector3d value, by_duration;
 };
 
+double Scale(double T, int order) {
+  double scale = 1;
+  for (int k = 0; k < order; ++k) scale /= T;
+  return scale;
+}
+
 Weighed Sum(const std::array<double, 6>& h, const Knot& k0, const Knot& k1, double T, int order) {
   const Eigen::Vector3d p = h[0] * k0.p + h[3] * k1.p;
   const Eigen::Vector3d v = h[1] * k0.v + h[4] * k1.v;
   const Eigen::Vector3d a = h[2] * k0.a + h[5] * k1.a;
-  const double scale = order == 0 ? 1 : order == 1 ? 1 / T : 1 / (T * T);
+  const double scale = Scale(T, order);
   return {scale * (p + T * v + T * T * a),
           scale / T * (-order * p + (1 - order) * T * v + (2 - order) * T * T * a)};
 }
@@ -53,7 +63,7 @@ Weighed Sum(const std::array<double, 6>& h, const Knot& k0, const Knot& k1, doub
 /// Adds the derivatives by both knots of a piece.
 void Spread(const std::array<double, 6>& h, double T, int order, const Eigen::Vector3d& by, Knot* d0,
             Knot* d1) {
-  const Eigen::Vector3d scaled = (order == 0 ? 1 : order == 1 ? 1 / T : 1 / (T * T)) * by;
+  const Eigen::Vector3d scaled = Scale(T, order) * by;
   d0->p += h[0] * scaled;
   d0->v += h[1] * T * scaled;
   d0->a += h[2] * T * T * scaled;
@@ -112,17 +122,19 @@ double FlightObjective::SamplePieces(std::vector<Knot>* by_knot, std::vector<dou
       const Hermite& h = kHermite[static_cast<std::size_t>(j)];
       const double s = static_cast<double>(j) / kSamples;
       const Weighed p = Sum(h.value, k0, k1, T, 0), v = Sum(h.first, k0, k1, T, 1),
-                    a = Sum(h.second, k0, k1, T, 2);
+                    a = Sum(h.second, k0, k1, T, 2), jerk = Sum(h.third, k0, k1, T, 3);
       const double share = (j == 0 || j == kSamples ? 0.5 : 1.0) / kSamples;
       FlightSample by;
-      const double rate = RateOfCost({p.value, v.value, a.value, begin_s + s * T}, share * T, &by);
+      const double rate =
+          RateOfCost({p.value, v.value, a.value, jerk.value, begin_s + s * T}, share * T, &by);
       if (rate == 0) continue;
       cost += rate;
       Spread(h.value, T, 0, by.p, &d0, &d1);
       Spread(h.first, T, 1, by.v, &d0, &d1);
       Spread(h.second, T, 2, by.a, &d0, &d1);
-      (*by_duration)[i] +=
-          rate / T + by.p.dot(p.by_duration) + by.v.dot(v.by_duration) + by.a.dot(a.by_duration) + s * by.t_s;
+      Spread(h.third, T, 3, by.j, &d0, &d1);
+      (*by_duration)[i] += rate / T + by.p.dot(p.by_duration) + by.v.dot(v.by_duration) +
+                           by.a.dot(a.by_duration) + by.j.dot(jerk.by_duration) + s * by.t_s;
       by_begin += by.t_s;
     }
     for (std::size_t before = 0; before < i; ++before) (*by_duration)[before] += by_begin;
@@ -142,7 +154,8 @@ double FlightObjective::RateOfCost(const FlightSample& x, double weight, FlightS
       ClearanceCost(map.to_unknown(), limits.radius_m + kUnknownRoom_m, x, clearance, by) +
       VolumeCost(box_W, x, clearance, by) +
       SpeedCost(kPlannedSpeed * limits.speed_max_mps, x, weights_.limits * weight, by) +
-      AccelerationCost(kPlannedAcceleration * limits.acceleration_max_mps2, x, weights_.limits * weight, by);
+      AccelerationCost(kPlannedAcceleration * limits.acceleration_max_mps2, x, weights_.limits * weight, by) +
+      JerkCost(kJerkMax_mps3, x, weights_.limits * weight, by);
   const double apart_m = scene_.separation_m() + kTeammateRoom_m;
   for (std::size_t i = 0; i < whereabouts_.size(); ++i)
     if (whereabouts_[i].MayBeNear(x.p, x.t_s, apart_m))

@@ -17,8 +17,8 @@ using Cost = std::function<double(const FlightSample& x, FlightSample* by)>;
 
 constexpr double kWeight = 3;
 
-/// Central differences of a cost by all ten numbers of a sample against the derivatives that it says. Costs
-/// are cubic hinges: a step of 1e-5 leaves an error of the order 1e-10 of the third derivative.
+/// Central differences of a cost by all thirteen numbers of a sample against the derivatives that it says.
+/// Costs are cubic hinges: a step of 1e-5 leaves an error of the order 1e-10 of the third derivative.
 void ExpectExactGradient(const Cost& cost, const FlightSample& x) {
   FlightSample said, none;
   ASSERT_GT(cost(x, &said), 0) << "the sample pays nothing";
@@ -29,11 +29,13 @@ void ExpectExactGradient(const Cost& cost, const FlightSample& x) {
     (scalar ? down.*scalar : (down.*vector)[axis]) -= kStep;
     return (cost(up, &none) - cost(down, &none)) / (2 * kStep);
   };
-  const double tolerance = 1e-6 * (1 + said.p.norm() + said.v.norm() + said.a.norm() + std::abs(said.t_s));
+  const double tolerance =
+      1e-6 * (1 + said.p.norm() + said.v.norm() + said.a.norm() + said.j.norm() + std::abs(said.t_s));
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(said.p[axis], difference(nullptr, &FlightSample::p, axis), tolerance);
     EXPECT_NEAR(said.v[axis], difference(nullptr, &FlightSample::v, axis), tolerance);
     EXPECT_NEAR(said.a[axis], difference(nullptr, &FlightSample::a, axis), tolerance);
+    EXPECT_NEAR(said.j[axis], difference(nullptr, &FlightSample::j, axis), tolerance);
   }
   EXPECT_NEAR(said.t_s, difference(&FlightSample::t_s, nullptr, 0), tolerance);
 }
@@ -43,6 +45,7 @@ FlightSample Sample() {
   x.p = {6.3, 5.9, 1.91};
   x.v = {3, -2.5, 1};
   x.a = {2, 4, -3};
+  x.j = {30, -5, 20};
   x.t_s = 1.234'567;
   return x;
 }
@@ -66,6 +69,11 @@ TEST(FlightCosts, AccelerationHasTheGradientOfFiniteDifferences) {
   ExpectExactGradient(
       [](const FlightSample& x, FlightSample* by) { return AccelerationCost(4.8, x, kWeight, by); },
       Sample());
+}
+
+TEST(FlightCosts, JerkHasTheGradientOfFiniteDifferences) {
+  ExpectExactGradient([](const FlightSample& x, FlightSample* by) { return JerkCost(25, x, kWeight, by); },
+                      Sample());
 }
 
 TEST(FlightCosts, VolumeHasTheGradientOfFiniteDifferences) {
@@ -93,6 +101,7 @@ TEST(FlightCosts, AreZeroWhereAllIsWell) {
   EXPECT_EQ(ClearanceCost(map.to_occupied(), 1.2, x, kWeight, &by), 0);
   EXPECT_EQ(SpeedCost(4.5, x, kWeight, &by), 0);
   EXPECT_EQ(AccelerationCost(4.8, x, kWeight, &by), 0);
+  EXPECT_EQ(JerkCost(40, x, kWeight, &by), 0);
   EXPECT_EQ(VolumeCost({Vector3d(0, 0, 0), Vector3d(16, 12, 8)}, x, kWeight, &by), 0);
   EXPECT_EQ(TeammateCost({2, Hover({12, 6, 4}, 0, 0)}, 2.5, 0, x, kWeight, &by), 0);
   EXPECT_EQ(by.p, Vector3d::Zero());

@@ -1,0 +1,58 @@
+#include "planner/view/pose_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kAcross_m = 1.0, kUp_m = 0.5;
+
+int Stride(double step_m, const VoxelGrid& grid) {
+  return std::max(1, static_cast<int>(std::lround(step_m / grid.voxel_m())));
+}
+
+}  // namespace
+
+PoseLattice::PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed)
+    : grid_(grid),
+      allowed_(allowed),
+      stride_(Stride(kAcross_m, grid), Stride(kAcross_m, grid), Stride(kUp_m, grid)),
+      size_((grid.inside_max() - grid.inside_min() - VoxelIndex::Ones()).array() / stride_.array() + 1),
+      poses_(static_cast<std::size_t>(size_.prod())) {}
+
+PoseLattice::Box PoseLattice::Around(const Eigen::Vector3d& centre_W, double radius_m) const {
+  const Eigen::Array3d step_m = grid_.voxel_m() * stride_.cast<double>().array();
+  const Eigen::Array3d middle = (centre_W - At(0)).array() / step_m;
+  return {(middle - radius_m / step_m).ceil().cast<int>().max(0),
+          ((middle + radius_m / step_m).floor().cast<int>() + 1).min(size_.array())};
+}
+
+Eigen::Vector3d PoseLattice::At(std::size_t pose) const {
+  const int i = static_cast<int>(pose);
+  const Eigen::Vector3i at(i % size_.x(), i / size_.x() % size_.y(), i / size_.x() / size_.y());
+  return grid_.Centre(grid_.inside_min() + stride_.cwiseProduct(at));
+}
+
+bool PoseLattice::Allowed(std::size_t pose, const Eigen::Vector3d& p_W) {
+  Answer& answer = poses_[pose].answer;
+  if (answer == Answer::kNotAsked) {
+    answer = allowed_(p_W) ? Answer::kAllowed : Answer::kForbidden;
+    asked_W_.extend(p_W);
+  }
+  return answer == Answer::kAllowed;
+}
+
+std::vector<std::size_t> PoseLattice::WithWorth() const {
+  std::vector<std::size_t> poses;
+  for (std::size_t pose = 0; pose < poses_.size(); ++pose)
+    if (poses_[pose].worth > 0) poses.push_back(pose);
+  return poses;
+}
+
+bool PoseLattice::Near(const Eigen::Vector3d& centre_W, double radius_m) const {
+  return !asked_W_.isEmpty() && asked_W_.squaredExteriorDistance(centre_W) <= radius_m * radius_m;
+}
+
+}  // namespace citrine::planner

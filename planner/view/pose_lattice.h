@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/grid/voxel_grid.h"
+
+namespace citrine::planner {
+
+/// Poses on a lattice over the inside of a grid, 1 m apart across and 0.5 m up, and what each is worth.
+class PoseLattice {
+ public:
+  /// @param allowed asked at most once a pose; outlives the lattice
+  PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed);
+
+  /// Calls visit(pose, p_W) for every allowed pose within a radius.
+  template <typename Visit>
+  void Within(const Eigen::Vector3d& centre_W, double radius_m, const Visit& visit) {
+    const Box box = Around(centre_W, radius_m);
+    for (int z = box.lo.z(); z < box.hi.z(); ++z)
+      for (int y = box.lo.y(); y < box.hi.y(); ++y)
+        for (int x = box.lo.x(); x < box.hi.x(); ++x) {
+          const std::size_t pose = static_cast<std::size_t>((z * size_.y() + y) * size_.x() + x);
+          const Eigen::Vector3d p_W = At(pose);
+          if ((p_W - centre_W).squaredNorm() <= radius_m * radius_m && Allowed(pose, p_W)) visit(pose, p_W);
+        }
+  }
+
+  Eigen::Vector3d At(std::size_t pose) const;
+  int& worth(std::size_t pose) { return poses_[pose].worth; }
+  /// The poses that are worth something so far, ascending.
+  std::vector<std::size_t> WithWorth() const;
+  /// Whether poses that are worth something may lie within a radius.
+  bool Near(const Eigen::Vector3d& centre_W, double radius_m) const;
+
+ private:
+  enum class Answer : std::uint8_t { kNotAsked, kAllowed, kForbidden };
+  struct Pose {
+    int worth = 0;
+    Answer answer = Answer::kNotAsked;
+  };
+  struct Box {
+    Eigen::Vector3i lo, hi;
+  };
+  Box Around(const Eigen::Vector3d& centre_W, double radius_m) const;
+  bool Allowed(std::size_t pose, const Eigen::Vector3d& p_W);
+
+  const VoxelGrid& grid_;
+  const std::function<bool(const Eigen::Vector3d&)>& allowed_;
+  Eigen::Vector3i stride_, size_;
+  std::vector<Pose> poses_;
+  Eigen::AlignedBox3d asked_W_;  ///< around all that has been asked for
+};
+
+}  // namespace citrine::planner

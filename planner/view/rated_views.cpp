@@ -1,0 +1,123 @@
+#include "planner/view/rated_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "planner/view/pose_lattice.h"
+#include "planner/view/view_generator.h"
+#include "planner/view/well_seen.h"
+
+namespace citrine::planner {
+
+namespace {
+
+constexpr double kStop_m = 1.5;  ///< of flight, that slowing down for a view is worth
+constexpr double kAsGood = 0.8;
+constexpr std::size_t kViewsMax = 8;
+constexpr std::uint32_t kNoElement = ~std::uint32_t{0};
+
+/// Elements side by side count as one that is worth as many.
+struct Alike {
+  const Element* element;
+  int worth = 0;
+};
+
+std::vector<Alike> GroupAlike(const VoxelGrid& grid, const std::vector<Element>& elements,
+                              const std::vector<std::size_t>& which) {
+  std::vector<Alike> groups;
+  std::vector<int> group_of(elements.size(), -1);
+  SharedViews shared(grid);
+  for (const std::size_t i : which) {
+    if (elements[i].attempts > 0) continue;
+    const int leader = shared.Leader(elements, static_cast<int>(i));
+    if (leader < 0) {
+      shared.Lead(elements, static_cast<int>(i));
+      group_of[i] = static_cast<int>(groups.size());
+      groups.push_back({&elements[i], 0});
+    }
+    ++groups[static_cast<std::size_t>(group_of[leader < 0 ? i : static_cast<std::size_t>(leader)])].worth;
+  }
+  return groups;
+}
+
+struct Rated {
+  double rate = 0;
+  View view;
+};
+
+double Rate(double worth, const Eigen::Vector3d& view_W, const Eigen::Vector3d& p_W) {
+  return worth / ((view_W - p_W).norm() + kStop_m);
+}
+
+/// A view is made for the element that comes into sight last.
+View MakeView(const Eigen::Vector3d& view_W, const PlanningMap& map, const SensorWindow& window,
+              const std::vector<Alike>& groups, const Eigen::Vector3d& p_W) {
+  const Element* last = nullptr;
+  for (const Alike& alike : groups) {
+    if (!WellSeen(map, *alike.element, window, view_W)) continue;
+    if (!last || (alike.element->p_W - p_W).squaredNorm() > (last->p_W - p_W).squaredNorm())
+      last = alike.element;
+  }
+  const Eigen::Vector3d to = last->p_W - view_W;
+  return {view_W, std::atan2(to.y(), to.x()), last->linear, last->p_W, View::Kind::kAround};
+}
+
+}  // namespace
+
+std::vector<View> RatedViews(const PlanningMap& map, const SensorWindow& window,
+                             const std::vector<Element>& elements, const Patch& patch,
+                             const std::vector<View>& own,
+                             const std::function<bool(const Eigen::Vector3d&)>& allowed,
+                             const Eigen::Vector3d& p_W) {
+  PoseLattice lattice(map.grid(), allowed);
+  const auto near = [&](const Element& element) { return std::min(element.d_star_m, window.range_max_m()); };
+  const std::vector<Alike> in_patch = GroupAlike(map.grid(), elements, patch.elements);
+  std::vector<Rated> rated;
+  std::vector<std::uint32_t> unseen;
+  for (const Alike& alike : in_patch) {
+    bool seen = false;
+    lattice.Within(alike.element->p_W, near(*alike.element),
+                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
+                     if (!WellSeen(map, *alike.element, window, pose_W)) return;
+                     lattice.worth(pose) += alike.worth;
+                     seen = true;
+                   });
+    if (!seen) unseen.push_back(alike.element->linear);
+  }
+  for (const std::size_t i : patch.elements)
+    if (elements[i].attempts > 0) unseen.push_back(elements[i].linear);
+  std::sort(unseen.begin(), unseen.end());
+  for (const View& view : own)
+    if (std::binary_search(unseen.begin(), unseen.end(), view.element))
+      rated.push_back({Rate(1, view.p_W, p_W), view});
+
+  const std::vector<std::size_t> poses = lattice.WithWorth();
+  std::vector<std::size_t> around;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!std::binary_search(patch.elements.begin(), patch.elements.end(), i) &&
+        lattice.Near(elements[i].p_W, near(elements[i])))
+      around.push_back(i);
+  const std::vector<Alike> nearby = GroupAlike(map.grid(), elements, around);
+  for (const Alike& alike : nearby)
+    lattice.Within(alike.element->p_W, near(*alike.element),
+                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
+                     if (lattice.worth(pose) > 0 && WellSeen(map, *alike.element, window, pose_W))
+                       lattice.worth(pose) += alike.worth;
+                   });
+  for (const std::size_t pose : poses) {
+    const Eigen::Vector3d pose_W = lattice.At(pose);
+    rated.push_back({Rate(lattice.worth(pose), pose_W, p_W), {.p_W = pose_W, .element = kNoElement}});
+  }
+
+  std::stable_sort(rated.begin(), rated.end(),
+                   [](const Rated& a, const Rated& b) { return a.rate > b.rate; });
+  std::vector<View> views;
+  for (const Rated& r : rated) {
+    if (views.size() == kViewsMax || r.rate < kAsGood * rated.front().rate) break;
+    views.push_back(r.view.element == kNoElement ? MakeView(r.view.p_W, map, window, in_patch, p_W) : r.view);
+  }
+  return views;
+}
+
+}  // namespace citrine::planner
