@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/trajectory/path.h"
 #include "planner/view/pose_lattice.h"
 #include "planner/view/view_generator.h"
 #include "planner/view/well_seen.h"
@@ -71,7 +72,9 @@ std::vector<View> RatedViews(const PlanningMap& map, const SensorWindow& window,
                              const std::function<bool(const Eigen::Vector3d&)>& allowed,
                              const Eigen::Vector3d& p_W) {
   PoseLattice lattice(map.grid(), allowed);
-  const auto near = [&](const Element& element) { return std::min(element.d_star_m, window.range_max_m()); };
+  const auto near = [&](const Element& element) {
+    return std::min(element.d_star_m - kReached_m, window.range_max_m());
+  };
   const std::vector<Alike> in_patch = GroupAlike(map.grid(), elements, patch.elements);
   std::vector<Rated> rated;
   std::vector<std::uint32_t> unseen;

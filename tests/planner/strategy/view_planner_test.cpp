@@ -119,7 +119,37 @@ TEST_F(ViewPlannerTest, TheNextViewIsChosenInFlightAndFlownToThroughTheOneStillT
   EXPECT_EQ(way[2].p_W, statuses[0].goal_W);
 }
 
-TEST_F(ViewPlannerTest, ABlockedGoalIsNotChosenAgainFor10Seconds) {
+TEST_F(ViewPlannerTest, ViewsUpForChoiceAreOfElementsThatNoMateIsNearerTo) {
+  config.planner.candidates = "patch";
+  Add(2, {FreePlace(), FreePlace(40)});
+  std::size_t views = 0;
+  for (auto& planner : planners)
+    planner->TellDecisions([&](const Decision& decision) {
+      const Situation& at = decision.situation;
+      for (const View& view : at.views)
+        EXPECT_LE((view.element_W - at.p_W).norm(), (view.element_W - at.others_W.at(0)).norm());
+      views += at.views.size();
+    });
+  for (int k = 0; k < 15; ++k) Step();
+  EXPECT_GE(views, 2);
+}
+
+TEST_F(ViewPlannerTest, AllViewsAreUpForChoiceByThePapersLetter) {
+  config.planner.candidates = "all";
+  config.planner.hop_min_m = 0;
+  Add(1, {FreePlace()});
+  std::size_t up_for_choice = 0, candidates = 0;
+  planners[0]->TellDecisions(
+      [&](const Decision& decision) { up_for_choice = decision.situation.views.size(); });
+  for (int k = 0; k < 6; ++k) {
+    Step();
+    if (outcomes[0].decided) candidates = outcomes[0].views;
+  }
+  EXPECT_GT(candidates, 20);
+  EXPECT_EQ(up_for_choice, candidates);
+}
+
+TEST_F(ViewPlannerTest, ABlockedGoalIsNotChosenAgainForAWhile) {
   Add(1, {FreePlace()});
   for (int k = 0; k < 6; ++k) Step();
   const Eigen::Vector3d first = statuses[0].goal_W;
