@@ -153,6 +153,7 @@ struct PlannerSection {
   double alpha = 1, beta = 1, gamma = 2;
   int corrected_selections = 2;
   double correction_expiry_s = 20;
+  double correction_starved = 0;
   std::string clusters = "hard";
   double clusters_lambda_m2 = 20;
   double decision_latency_s = 0.1;
@@ -173,6 +174,9 @@ struct PlannerSection {
     v("corrected_selections", corrected_selections, Key{"k (paper, V-A)", "", 1, 100});
     v("correction_expiry_s", correction_expiry_s,
       Key{"a correction is over then at the latest", "s", 1, 600});
+    v("correction_starved", correction_starved,
+      Key{"correct only where some UAV has less than this part of |ASE| / (N + 1); 0 is the paper's letter",
+          "", 0, 1});
     v("clusters", clusters,
       Key{"regularised k-means (paper, IV-C): sizes differ by one element at most, or cost what lambda says",
           "",

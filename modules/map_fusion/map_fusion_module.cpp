@@ -23,6 +23,7 @@
 #include "modules/codec/octree.h"
 #include "modules/codec/saved_map.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/runtime/cpu_stopwatch.h"
 
 namespace citrine {
@@ -84,32 +85,18 @@ void MapFusionModule::GoOnFromSavedMap() {
 }
 
 void MapFusionModule::HearFleet() {
-  for (const auto& [uav, message] : states_->Take()) {
-    try {
-      positions_.Hear(uav, Decode(message));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kUavState.Of(uav), error.what());
-    }
-  }
-  for (const auto& [uav, message] : fleet_statuses_->Take()) {
-    try {
-      const FleetStatus status = Decode(message);
-      if (uav >= 1 && uav <= config_.mission.uavs) no_view_left_[uav - 1] = status.no_view_left;
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kFleetStatus.Of(uav), error.what());
-    }
-  }
+  HearNouns(bus_, channels::kUavState, kEveryUav, *states_,
+            [this](int uav, const UavState& state, Utime) { positions_.Hear(uav, state); });
+  HearNouns(bus_, channels::kFleetStatus, config_.mission.uavs, *fleet_statuses_,
+            [this](int uav, const FleetStatus& status, Utime) {
+              no_view_left_[static_cast<std::size_t>(uav) - 1] = status.no_view_left;
+            });
 }
 
 std::vector<std::pair<int, LidarScan>> MapFusionModule::TakeScans() {
   std::vector<std::pair<int, LidarScan>> scans;
-  for (const auto& [uav, message] : scans_->Take()) {
-    try {
-      scans.emplace_back(uav, Decode(message));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channels::kLidarScan.Of(uav), error.what());
-    }
-  }
+  HearNouns(bus_, channels::kLidarScan, kEveryUav, *scans_,
+            [&](int uav, LidarScan scan, Utime) { scans.emplace_back(uav, std::move(scan)); });
   for (const auto& [uav, message] : clouds_->Take()) {
     try {
       if (const std::optional<PointCloud> cloud = chunks_.Hear(uav, message))

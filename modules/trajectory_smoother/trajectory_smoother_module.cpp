@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "modules/channels.h"
-#include "modules/codec/bad_message.h"
 #include "modules/codec/flight_status.h"
 #include "modules/codec/lidar_scan.h"
 #include "modules/codec/path.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/map_hearer.h"
 #include "modules/runtime/cpu_stopwatch.h"
 
@@ -72,29 +72,21 @@ void TrajectorySmootherModule::Tick(const Step& step) {
   SayStatus(step.now);
 }
 
-template <class Message, class Take>
-void TrajectorySmootherModule::Hear(Inbox<Message>& inbox, const UavChannel<Message>& channel, Take&& take) {
-  for (const auto& entry : inbox.Take()) {
-    try {
-      take(entry.uav, Decode(entry.message));
-    } catch (const BadMessage& error) {
-      bus_.Reject(channel.Of(entry.uav), error.what());
-    }
-  }
-}
-
 void TrajectorySmootherModule::HearAll() {
-  Hear(*states_, channels::kUavState, [this](int uav, const UavState& state) {
+  HearNouns(bus_, channels::kUavState, kEveryUav, *states_, [this](int uav, const UavState& state, Utime) {
     if (uav == uav_)
       executive_.HearState(state);
     else
       executive_.HearTeammate(uav, state);
   });
-  Hear(*trajectories_, channels::kTrajectory, [this](int uav, const Trajectory& trajectory) {
-    if (uav != uav_) executive_.HearTeammate(uav, trajectory);
-  });
-  Hear(*scans_, channels::kLidarScan, [this](int, const LidarScan& scan) { executive_.HearScan(scan); });
-  Hear(*paths_, channels::kPath, [this](int, const Path& path) { executive_.HearPath(path); });
+  HearNouns(bus_, channels::kTrajectory, kEveryUav, *trajectories_,
+            [this](int uav, const Trajectory& trajectory, Utime) {
+              if (uav != uav_) executive_.HearTeammate(uav, trajectory);
+            });
+  HearNouns(bus_, channels::kLidarScan, kEveryUav, *scans_,
+            [this](int, const LidarScan& scan, Utime) { executive_.HearScan(scan); });
+  HearNouns(bus_, channels::kPath, kEveryUav, *paths_,
+            [this](int, const Path& path, Utime) { executive_.HearPath(path); });
 }
 
 void TrajectorySmootherModule::SayTrajectory(Utime now) {

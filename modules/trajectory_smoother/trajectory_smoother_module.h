@@ -29,9 +29,6 @@ class TrajectorySmootherModule : public Module {
   void Tick(const Step& step) override;
 
  private:
-  /// Calls `take(sender, noun)` for everything an inbox holds; what means nothing is counted.
-  template <class Message, class Take>
-  void Hear(Inbox<Message>& inbox, const UavChannel<Message>& channel, Take&& take);
   void HearAll();
   void SayTrajectory(Utime now);
   void SayStatus(Utime now);

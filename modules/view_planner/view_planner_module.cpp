@@ -2,13 +2,13 @@
 
 #include <tuple>
 
-#include "modules/codec/bad_message.h"
 #include "modules/codec/fleet_assignment.h"
 #include "modules/codec/fleet_status.h"
 #include "modules/codec/flight_status.h"
 #include "modules/codec/path.h"
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
+#include "modules/hear_nouns.h"
 #include "modules/map_hearer.h"
 #include "modules/runtime/cpu_stopwatch.h"
 
@@ -22,18 +22,6 @@ constexpr int kStateQueue = 64, kFewQueue = 16;
 auto Essence(const FleetStatus& s) {
   return std::tie(s.activity, s.deciding_since, s.has_goal, s.goal_W.x(), s.goal_W.y(), s.goal_W.z(),
                   s.decisions, s.replanning, s.plan_id, s.corrected_selections_left, s.no_view_left);
-}
-
-/// Hands every message of an inbox to `hear`; one that means nothing is counted and dropped.
-template <class Message, class Hear>
-void TakeAll(Bus& bus, Inbox<Message>& inbox, const char* channel, Hear&& hear) {
-  for (const auto& entry : inbox.Take()) {
-    try {
-      hear(entry.uav, Decode(entry.message));
-    } catch (const BadMessage& error) {
-      bus.Reject(channel, error.what());
-    }
-  }
 }
 
 }  // namespace
@@ -69,16 +57,16 @@ std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, 
 }
 
 void ViewPlannerModule::HearAll(Utime now) {
-  TakeAll(bus_, *states_, channels::kUavState.noun,
-          [&](int uav, const UavState& state) { planner_.HearState(uav, state, now); });
-  TakeAll(bus_, *statuses_, channels::kFleetStatus.noun,
-          [&](int uav, const FleetStatus& status) { planner_.HearStatus(uav, status, now); });
-  TakeAll(bus_, *assignments_, channels::kFleetAssignment.name,
-          [&](int, const FleetAssignment& assignment) { planner_.HearAssignment(assignment, now); });
-  TakeAll(bus_, *flights_, channels::kFlightStatus.noun,
-          [&](int, const FlightStatus& flight) { planner_.HearFlight(flight); });
-  TakeAll(bus_, *trajectories_, channels::kTrajectory.noun,
-          [&](int, const Trajectory& trajectory) { planner_.HearTrajectory(trajectory); });
+  HearNouns(bus_, channels::kUavState, kEveryUav, *states_,
+            [&](int uav, const UavState& state, Utime) { planner_.HearState(uav, state, now); });
+  HearNouns(bus_, channels::kFleetStatus, kEveryUav, *statuses_,
+            [&](int uav, const FleetStatus& status, Utime) { planner_.HearStatus(uav, status, now); });
+  HearNouns(bus_, channels::kFleetAssignment, *assignments_,
+            [&](const FleetAssignment& assignment, Utime) { planner_.HearAssignment(assignment, now); });
+  HearNouns(bus_, channels::kFlightStatus, kEveryUav, *flights_,
+            [&](int, const FlightStatus& flight, Utime) { planner_.HearFlight(flight); });
+  HearNouns(bus_, channels::kTrajectory, kEveryUav, *trajectories_,
+            [&](int, const Trajectory& trajectory, Utime) { planner_.HearTrajectory(trajectory); });
 }
 
 void ViewPlannerModule::Tick(const Step& step) {

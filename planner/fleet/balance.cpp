@@ -1,5 +1,7 @@
 #include "planner/fleet/balance.h"
 
+#include <algorithm>
+
 namespace citrine::planner {
 
 int VoronoiCell(const Eigen::Vector3d& p_W, const std::vector<Eigen::Vector3d>& generators_W) {
@@ -32,10 +34,14 @@ double ImbalanceThreshold(int elements, int uavs) {
   return delta * delta * n / (2 * (n - 1));
 }
 
-bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, const std::vector<Eigen::Vector3d>& uavs_W) {
+bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, const std::vector<Eigen::Vector3d>& uavs_W,
+                double starved) {
   const int elements = static_cast<int>(elements_W.size()), uavs = static_cast<int>(uavs_W.size());
   if (uavs < 2 || elements < 4 * uavs) return false;
-  return Imbalance(VoronoiShares(elements_W, uavs_W)) > ImbalanceThreshold(elements, uavs);
+  const std::vector<int> shares = VoronoiShares(elements_W, uavs_W);
+  if (starved > 0 && *std::min_element(shares.begin(), shares.end()) >= starved * elements / (uavs + 1.0))
+    return false;
+  return Imbalance(shares) > ImbalanceThreshold(elements, uavs);
 }
 
 }  // namespace citrine::planner

@@ -22,6 +22,9 @@ double ImbalanceThreshold(int elements, int uavs);
 
 /// Whether the fleet is to be balanced: f_r > f_min; never for one UAV or fewer than 4 elements a UAV
 /// (design, section 6).
-bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, const std::vector<Eigen::Vector3d>& uavs_W);
+/// @param starved if not 0, only where besides some UAV's share is below this part of |ASE| / (N + 1): shares
+/// of 25, 35 and 40 % are beyond f_min already (a choice of this project)
+bool Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, const std::vector<Eigen::Vector3d>& uavs_W,
+                double starved = 0);
 
 }  // namespace citrine::planner

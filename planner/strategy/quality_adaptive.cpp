@@ -1,5 +1,7 @@
 #include "planner/strategy/quality_adaptive.h"
 
+#include <Eigen/Geometry>
+
 #include "planner/fleet/balance.h"
 #include "planner/view/dispersion.h"
 #include "planner/view/navigation.h"
@@ -23,7 +25,12 @@ std::vector<ViewTerms> TermsOf(const Situation& situation) {
 }
 
 InformationGain GainOf(const Situation& situation) {
-  return {situation.map, situation.elements, situation.window, situation.eta_m};
+  Eigen::AlignedBox3d views_W;
+  for (const View& view : situation.views) views_W.extend(view.p_W);
+  std::vector<Element> in_reach;
+  for (const Element& element : situation.elements)
+    if (views_W.exteriorDistance(element.p_W) <= situation.window.range_max_m()) in_reach.push_back(element);
+  return {situation.map, in_reach, situation.window, situation.eta_m, situation.views.size()};
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ bool ViewPlanner::MateDecidesFirst(Utime now) const {
 bool ViewPlanner::Unbalanced(const std::vector<Eigen::Vector3d>& elements_W, Utime now) const {
   std::vector<Eigen::Vector3d> uavs_W{state_->X_WB.p};
   for (const FleetView::Other& other : fleet_.Alive(now)) uavs_W.push_back(other.x_W());
-  return planner::Unbalanced(elements_W, uavs_W);
+  return planner::Unbalanced(elements_W, uavs_W, config_.planner.correction_starved);
 }
 
 FleetStatus ViewPlanner::Status() const {

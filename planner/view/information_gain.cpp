@@ -13,7 +13,8 @@ namespace citrine::planner {
 
 namespace {
 constexpr double kBucket_m = 3.0;
-constexpr float kSlack_m = 1e-3f;  ///< by which float bounds are widened; far above their rounding
+constexpr std::size_t kManyViews = 50;  ///< from which on looking for clear cells first pays
+constexpr float kSlack_m = 1e-3f;       ///< by which float bounds are widened; far above their rounding
 /// Bit a: the face neighbour in direction a of -x, +x, -y, +y, -z, +z is in a state.
 int FacesIn(VoxelState state, const PlanningMap& map, const VoxelIndex& v) {
   int bits = 0;
@@ -42,8 +43,9 @@ double DistanceWorth(double distance_m, double d_star_m, double eta_m, double ra
 }
 
 InformationGain::InformationGain(const PlanningMap& map, const std::vector<Element>& elements,
-                                 const SensorWindow& window, double eta_m)
-    : map_(map), window_(window), eta_m_(eta_m), clear_(map) {
+                                 const SensorWindow& window, double eta_m, std::size_t views)
+    : map_(map), window_(window), eta_m_(eta_m) {
+  if (views >= kManyViews) clear_.emplace(map);
   const VoxelGrid& grid = map.grid();
   std::vector<std::pair<int, int>> order;  // bucket, element
   const Eigen::Vector3i cells =

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,8 +28,9 @@ struct Gain {
 /// Evaluates eq. (8) for views, and bounds it from above without looking for what hides elements.
 class InformationGain {
  public:
+  /// @param views about how many will be asked for: for many it prepares what makes each of them faster
   InformationGain(const PlanningMap& map, const std::vector<Element>& elements, const SensorWindow& window,
-                  double eta_m);
+                  double eta_m, std::size_t views = 1000);
 
   Gain Evaluate(const Eigen::Vector3d& view_W) const;
 
@@ -42,7 +45,7 @@ class InformationGain {
   void AppendInWindow(const Eigen::Vector3d& view_W, std::vector<InWindow>& elements) const;
   /// delta and u of eq. (7) for one of them.
   Sight Look(const InWindow& element, const Eigen::Vector3d& view_W) const {
-    return LookAt(map_, elements_[element.element], view_W, &clear_);
+    return LookAt(map_, elements_[element.element], view_W, clear_ ? &*clear_ : nullptr);
   }
   std::size_t num_elements() const { return elements_.size(); }
 
@@ -73,7 +76,7 @@ class InformationGain {
       clouded_;  ///< faces behind which lies an occupied, an unknown voxel; one bit each
   std::vector<float> near_m_, far_m_;  ///< ends of the interval of viewing distances
   std::vector<Bucket> buckets_;
-  ClearCells clear_;
+  std::optional<ClearCells> clear_;  ///< where many views are asked for
 };
 
 }  // namespace citrine::planner

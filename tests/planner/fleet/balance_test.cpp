@@ -42,6 +42,20 @@ TEST(Balance, SharesAreThoseOfTheVoronoiCells) {
   EXPECT_EQ(VoronoiShares(points, generators), expected);
 }
 
+TEST(Balance, IsCorrectedForSharesOf25And35And40PercentUnlessSomebodyHasToBeStarved) {
+  const std::vector<Eigen::Vector3d> uavs{{0, 0, 0}, {10, 0, 0}, {20, 0, 0}};
+  const auto elements = [&](int first, int second, int third) {
+    std::vector<Eigen::Vector3d> all(first, uavs[0]);
+    all.insert(all.end(), second, uavs[1]);
+    all.insert(all.end(), third, uavs[2]);
+    return all;
+  };
+  EXPECT_TRUE(Unbalanced(elements(25, 35, 40), uavs));
+  EXPECT_FALSE(Unbalanced(elements(25, 35, 40), uavs, 0.5));
+  EXPECT_FALSE(Unbalanced(elements(13, 40, 47), uavs, 0.5));
+  EXPECT_TRUE(Unbalanced(elements(12, 41, 47), uavs, 0.5));  // less than half of 25
+}
+
 TEST(Balance, IsNeverCorrectedForOneUavOrFewElements) {
   const std::vector<Eigen::Vector3d> pair{{0, 0, 0}, {10, 0, 0}};
   EXPECT_FALSE(Unbalanced(std::vector<Eigen::Vector3d>(7, pair[0]), pair));
