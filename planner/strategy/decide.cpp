@@ -104,9 +104,8 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
   for (const Element& element : prospect.elements)
     if (Mine(element.p_W, p_W, prospect.others, now)) mine.push_back(element);
   if (mine.empty()) {
-    const bool mates_work =
-        std::any_of(prospect.others.begin(), prospect.others.end(),
-                    [](const FleetView::Other& other) { return other.has_goal || other.deciding; });
+    const bool mates_work = std::any_of(prospect.others.begin(), prospect.others.end(),
+                                        [](const FleetView::Other& other) { return other.has_goal; });
     if (mates_work && prospect.elements.size() < kLeftToMates) {
       prospect.views.clear();
       return true;

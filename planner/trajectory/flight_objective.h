@@ -60,6 +60,6 @@ class FlightObjective {
 
 /// Shares of the limits that are planned for: the real vehicle's tracking error comes on top.
 inline constexpr double kPlannedSpeed = 0.97;
-inline constexpr double kPlannedAcceleration = 0.90;
+inline constexpr double kPlannedAcceleration = 0.88;
 
 }  // namespace citrine::planner
