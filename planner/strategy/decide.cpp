@@ -100,9 +100,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
 
 bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const {
   if (config_.planner.candidates == "all" || config_.planner.strategy != "quality_adaptive") return false;
-  std::vector<Element> mine;
-  for (const Element& element : prospect.elements)
-    if (Mine(element.p_W, p_W, prospect.others, now)) mine.push_back(element);
+  std::vector<Element> mine = Mine(prospect, p_W, now);
   if (mine.empty()) {
     const bool mates_work = std::any_of(prospect.others.begin(), prospect.others.end(),
                                         [](const FleetView::Other& other) { return other.has_goal; });
@@ -127,13 +125,19 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
   return false;
 }
 
-bool ViewPlanner::Mine(const Eigen::Vector3d& element_W, const Eigen::Vector3d& p_W,
-                       const std::vector<FleetView::Other>& others, Utime now) const {
-  if (const FleetAssignment* correction = correction_.Current(now))
-    return VoronoiCell(element_W, correction->centroid_W_by_uav) == uav_ - 1;
-  return std::none_of(others.begin(), others.end(), [&](const FleetView::Other& other) {
-    return (other.x_W() - element_W).norm() < (p_W - element_W).norm();
-  });
+std::vector<Element> ViewPlanner::Mine(const Prospect& prospect, const Eigen::Vector3d& p_W,
+                                       Utime now) const {
+  std::vector<Element> nearest, of_region;
+  const FleetAssignment* correction = correction_.Current(now);
+  for (const Element& element : prospect.elements) {
+    const auto nearer = [&](const FleetView::Other& other) {
+      return (other.x_W() - element.p_W).norm() < (p_W - element.p_W).norm();
+    };
+    if (std::none_of(prospect.others.begin(), prospect.others.end(), nearer)) nearest.push_back(element);
+    if (correction && VoronoiCell(element.p_W, correction->centroid_W_by_uav) == uav_ - 1)
+      of_region.push_back(element);
+  }
+  return nearest.empty() ? of_region : nearest;
 }
 
 void ViewPlanner::RememberLook(const Eigen::Vector3d& p_W, const View* at, Utime now) {

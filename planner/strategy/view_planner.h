@@ -131,9 +131,8 @@ class ViewPlanner {
   /// Replaces the views by those that settle most of the patch that is next on this UAV's tour. false: there
   /// are none
   bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
-  /// Whether an element is this UAV's to settle: it lies in its region, or is no nearer to a mate.
-  bool Mine(const Eigen::Vector3d& element_W, const Eigen::Vector3d& p_W,
-            const std::vector<FleetView::Other>& others, Utime now) const;
+  /// The elements to which no mate is nearer; where there are none, those of this UAV's region.
+  std::vector<Element> Mine(const Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
   bool MayStand(const Eigen::Vector3d& p_W) const;
   bool Excluded(const Eigen::Vector3d& view_W, const std::vector<FleetView::Other>& others, Utime now) const;
 
