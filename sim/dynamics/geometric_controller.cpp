@@ -41,6 +41,11 @@ Matrix3d AttitudeOf(const Vector3d& b3, double yaw_rad) {
   return R;
 }
 
+/// What a thrust that changes at a rate has to be ahead of its reference, for rotors that follow with a lag.
+double RotorLead(const QuadrotorModel& model, double rate) {
+  return rate * (rate > 0 ? model.spin_up_s : model.spin_down_s);
+}
+
 }  // namespace
 
 Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, const UavState& state,
@@ -75,7 +80,8 @@ Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, con
   const Vector3d& omega = state.omega_B;
 
   Wrench wrench;
-  wrench.thrust_N = std::max(0.0, model.mass_kg * force.dot(R.col(2)));
+  wrench.thrust_N =
+      std::max(0.0, model.mass_kg * (force.dot(R.col(2)) + RotorLead(model, force_rate.dot(R.col(2)))));
   wrench.torque_B =
       J.cwiseProduct(-k_R.cwiseProduct(e_R) - k_omega.cwiseProduct(e_omega) - omega.cross(omega_c_B)) +
       omega.cross(J.cwiseProduct(omega));
