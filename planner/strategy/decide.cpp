@@ -142,10 +142,7 @@ std::vector<Element> ViewPlanner::Mine(const Prospect& prospect, const Eigen::Ve
 
 void ViewPlanner::RememberLook(const Eigen::Vector3d& p_W, const View* at, Utime now) {
   std::vector<std::uint32_t> seen = WellSeenFrom(map_, ElementsNear(p_W), window_, p_W);
-  const auto active = [&](std::uint32_t voxel) {
-    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
-  };
-  if (at && active(at->element) && !std::binary_search(seen.begin(), seen.end(), at->element))
+  if (at && Active(at->element) && !std::binary_search(seen.begin(), seen.end(), at->element))
     seen.push_back(at->element);
   std::vector<ElementMemory::Before> before;
   for (const std::uint32_t voxel : seen) before.push_back(memory_.Note(map_, voxel));

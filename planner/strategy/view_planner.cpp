@@ -67,6 +67,10 @@ void ViewPlanner::HearMap(Utime now) {
   map_is_new_ = true;
 }
 
+bool ViewPlanner::Active(std::uint32_t voxel) const {
+  return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
+}
+
 bool ViewPlanner::MayStand(const Eigen::Vector3d& p_W) const {
   return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0;
 }
@@ -152,11 +156,8 @@ bool ViewPlanner::LooksAheadNow(Utime now) const {
 
 bool ViewPlanner::SeenOnLeaving(Utime now) const {
   const Eigen::Vector3d p_W = Ahead(now + FromSeconds(config_.planner.decision_latency_s)).p_W;
-  const auto active = [&](std::uint32_t voxel) {
-    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
-  };
   const std::vector<Element> left = ListElements(
-      map_, surface_, [&](std::uint32_t voxel) { return voxel != goal_->view.element || !active(voxel); });
+      map_, surface_, [&](std::uint32_t voxel) { return voxel != goal_->view.element || !Active(voxel); });
   return left.empty() || WellSeen(map_, left.front(), window_, p_W);
 }
 
@@ -168,9 +169,7 @@ void ViewPlanner::Pass(Utime now) {
 }
 
 bool ViewPlanner::GoalWorthless() const {
-  const auto active = [&](std::uint32_t voxel) {
-    return surface_.At(voxel) >= SurfaceClass::kLqse && !memory_.Skips(voxel);
-  };
+  const auto active = [this](std::uint32_t voxel) { return Active(voxel); };
   if (std::any_of(goal_->made_for.begin(), goal_->made_for.end(), active)) return false;
   const auto left = std::count_if(goal_->seen.begin(), goal_->seen.end(), active);
   return static_cast<double>(left) <= kLittle * static_cast<double>(goal_->seen.size());

@@ -133,6 +133,8 @@ class ViewPlanner {
   bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
   /// The elements to which no mate is nearer; where there are none, those of this UAV's region.
   std::vector<Element> Mine(const Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
+  /// Whether a voxel is an element that is still to be seen.
+  bool Active(std::uint32_t voxel) const;
   bool MayStand(const Eigen::Vector3d& p_W) const;
   bool Excluded(const Eigen::Vector3d& view_W, const std::vector<FleetView::Other>& others, Utime now) const;
 

@@ -64,6 +64,40 @@ View MakeView(const Eigen::Vector3d& view_W, const PlanningMap& map, const Senso
   return {view_W, std::atan2(to.y(), to.x()), last->linear, last->p_W, View::Kind::kAround};
 }
 
+/// From how far a look should settle an element, with the tolerance of arrival to spare.
+double ReachOf(const Element& element, const SensorWindow& window) {
+  return std::min(element.d_star_m - kReached_m, window.range_max_m());
+}
+
+/// Adds what poses settle of some elements to what they are worth. @return the elements that none settles
+template <class Counts>
+std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map, const SensorWindow& window,
+                                    const std::vector<Alike>& groups, const Counts& counts) {
+  std::vector<std::uint32_t> unsettled;
+  for (const Alike& alike : groups) {
+    bool settled = false;
+    lattice.Within(alike.element->p_W, ReachOf(*alike.element, window),
+                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
+                     if (!counts(pose) || !WellSeen(map, *alike.element, window, pose_W)) return;
+                     lattice.worth(pose) += alike.worth;
+                     settled = true;
+                   });
+    if (!settled) unsettled.push_back(alike.element->linear);
+  }
+  return unsettled;
+}
+
+/// The elements outside of a patch that its poses may see.
+std::vector<std::size_t> Around(const Patch& patch, const std::vector<Element>& elements,
+                                const PoseLattice& lattice, const SensorWindow& window) {
+  std::vector<std::size_t> around;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!std::binary_search(patch.elements.begin(), patch.elements.end(), i) &&
+        lattice.Near(elements[i].p_W, ReachOf(elements[i], window)))
+      around.push_back(i);
+  return around;
+}
+
 }  // namespace
 
 std::vector<View> RatedViews(const PlanningMap& map, const SensorWindow& window,
@@ -72,43 +106,22 @@ std::vector<View> RatedViews(const PlanningMap& map, const SensorWindow& window,
                              const std::function<bool(const Eigen::Vector3d&)>& allowed,
                              const Eigen::Vector3d& p_W) {
   PoseLattice lattice(map.grid(), allowed);
-  const auto near = [&](const Element& element) {
-    return std::min(element.d_star_m - kReached_m, window.range_max_m());
-  };
   const std::vector<Alike> in_patch = GroupAlike(map.grid(), elements, patch.elements);
-  std::vector<Rated> rated;
-  std::vector<std::uint32_t> unseen;
-  for (const Alike& alike : in_patch) {
-    bool seen = false;
-    lattice.Within(alike.element->p_W, near(*alike.element),
-                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
-                     if (!WellSeen(map, *alike.element, window, pose_W)) return;
-                     lattice.worth(pose) += alike.worth;
-                     seen = true;
-                   });
-    if (!seen) unseen.push_back(alike.element->linear);
-  }
+  std::vector<std::uint32_t> by_own_view =
+      AddWorth(lattice, map, window, in_patch, [](std::size_t) { return true; });
   for (const std::size_t i : patch.elements)
-    if (elements[i].attempts > 0) unseen.push_back(elements[i].linear);
-  std::sort(unseen.begin(), unseen.end());
+    if (elements[i].attempts > 0) by_own_view.push_back(elements[i].linear);
+  std::sort(by_own_view.begin(), by_own_view.end());
+
+  std::vector<Rated> rated;
   for (const View& view : own)
-    if (std::binary_search(unseen.begin(), unseen.end(), view.element))
+    if (std::binary_search(by_own_view.begin(), by_own_view.end(), view.element))
       rated.push_back({Rate(1, view.p_W, p_W), view});
 
-  const std::vector<std::size_t> poses = lattice.WithWorth();
-  std::vector<std::size_t> around;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!std::binary_search(patch.elements.begin(), patch.elements.end(), i) &&
-        lattice.Near(elements[i].p_W, near(elements[i])))
-      around.push_back(i);
-  const std::vector<Alike> nearby = GroupAlike(map.grid(), elements, around);
-  for (const Alike& alike : nearby)
-    lattice.Within(alike.element->p_W, near(*alike.element),
-                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
-                     if (lattice.worth(pose) > 0 && WellSeen(map, *alike.element, window, pose_W))
-                       lattice.worth(pose) += alike.worth;
-                   });
-  for (const std::size_t pose : poses) {
+  const std::vector<Alike> nearby =
+      GroupAlike(map.grid(), elements, Around(patch, elements, lattice, window));
+  AddWorth(lattice, map, window, nearby, [&](std::size_t pose) { return lattice.worth(pose) > 0; });
+  for (const std::size_t pose : lattice.WithWorth()) {
     const Eigen::Vector3d pose_W = lattice.At(pose);
     rated.push_back({Rate(lattice.worth(pose), pose_W, p_W), {.p_W = pose_W, .element = kNoElement}});
   }

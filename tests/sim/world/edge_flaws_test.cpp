@@ -1,5 +1,7 @@
 #include "sim/world/edge_flaws.h"
 
+#include <array>
+
 #include <gmock/gmock.h>
 
 #include "tests/support/scratch_folder.h"
@@ -7,6 +9,7 @@
 namespace citrine::sim {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A tetrahedron a metre above the ground, wound outwards, of these faces.
@@ -16,30 +19,28 @@ World Tetrahedron(const std::string& faces) {
   return LoadWorld(folder.Write("tetrahedron.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 0 2\n" + ground + faces));
 }
 
+/// What is wrong with it: open edges, edges wound against each other, solids inside out.
+std::array<int, 3> FlawsOf(const std::string& faces) {
+  const EdgeFlaws flaws = FindEdgeFlaws(Tetrahedron(faces));
+  return {static_cast<int>(flaws.open), static_cast<int>(flaws.against), static_cast<int>(flaws.inside_out)};
+}
+
 TEST(EdgeFlaws, AreNoneOfAClosedSolidAndAreNotLookedForInTheGround) {
-  const EdgeFlaws flaws = FindEdgeFlaws(Tetrahedron("f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
-  EXPECT_EQ(flaws.open, 0);
-  EXPECT_EQ(flaws.against, 0);
-  EXPECT_EQ(flaws.inside_out, 0);
+  EXPECT_THAT(FlawsOf("f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"), ElementsAre(0, 0, 0));
 }
 
 TEST(EdgeFlaws, CountTheRimOfAHole) {
-  const EdgeFlaws flaws = FindEdgeFlaws(Tetrahedron("f 1 3 2\nf 1 2 4\nf 2 3 4\n"));
-  EXPECT_EQ(flaws.open, 3);
-  EXPECT_EQ(flaws.against, 0);
-  EXPECT_THAT(flaws.open_at, HasSubstr("near (0.00, 0.00, 1.00)"));
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+  EXPECT_THAT(FlawsOf(faces), ElementsAre(3, 0, 0));
+  EXPECT_THAT(FindEdgeFlaws(Tetrahedron(faces)).open_at, HasSubstr("near (0.00, 0.00, 1.00)"));
 }
 
 TEST(EdgeFlaws, CountTheEdgesOfATriangleThatIsWoundAgainstItsNeighbours) {
-  const EdgeFlaws flaws = FindEdgeFlaws(Tetrahedron("f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
-  EXPECT_EQ(flaws.open, 0);
-  EXPECT_EQ(flaws.against, 3);
+  EXPECT_THAT(FlawsOf("f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"), ElementsAre(0, 3, 0));
 }
 
 TEST(EdgeFlaws, NameASolidThatIsInsideOut) {
-  const EdgeFlaws flaws = FindEdgeFlaws(Tetrahedron("f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n"));
-  EXPECT_EQ(flaws.against, 0);
-  EXPECT_EQ(flaws.inside_out, 1);
+  EXPECT_THAT(FlawsOf("f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n"), ElementsAre(0, 0, 1));
 }
 
 }  // namespace
