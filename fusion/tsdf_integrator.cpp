@@ -148,7 +148,8 @@ bool TsdfIntegrator::Fuse(const Observation& observation, int brick, TsdfBlock& 
 
   Lanes confidence = quality;
   if (policy_ == WeightPolicy::kBestView)
-    confidence = Select(observation.in_band, Max(quality, observation.weight), quality);
+    confidence = Select(observation.in_band | (observation.said & free_on_surface),
+                        Max(quality, observation.weight), quality);
   else if (policy_ == WeightPolicy::kPerScan)
     confidence = Select(observation.in_band, quality + observation.weight, quality);
   Store(&block.distance_m[at], fused);

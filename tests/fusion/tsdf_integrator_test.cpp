@@ -169,6 +169,28 @@ TEST(TsdfIntegrator, ReachesTheGoalExactlyWhenSeenFromWithinTheReferenceDistance
   }
 }
 
+TEST(TsdfIntegrator, CountsAFreeRayPastASurfaceVoxelAsALookAtIt) {
+  AnalyticScene wall, with_bar;
+  for (AnalyticScene* scene : {&wall, &with_bar}) scene->AddHalfSpace({-1, 0, 0}, -5.125);
+  with_bar.AddBox({3.0, -0.2, 1}, {3.25, 0.4, 6});
+  const Eigen::Vector3d on_bar(3.125, 0.125, 4.125), before_bar(1.125, 0.125, 4.125);
+  for (const WeightPolicy policy : {WeightPolicy::kBestView, WeightPolicy::kPerScan}) {
+    TsdfMap map(Grid(), kTruncation_m);
+    TsdfIntegrator integrator(map, policy);
+    integrator.Integrate(with_bar.Scan(At(-6, 0.125, 4.125)));
+    const double from_afar = At(map, on_bar).quality;
+    EXPECT_NEAR(from_afar, 1 / (9.0 * 9.0), 0.001);
+    integrator.Integrate(wall.Scan(At(1, 0.125, 4.125)));  // all of its beams miss the bar
+    if (policy == WeightPolicy::kBestView) {
+      EXPECT_GT(At(map, on_bar).quality, 1.5 * from_afar);
+      EXPECT_LE(At(map, on_bar).quality, 1.02 / (4.125 * 4.125));  // from where the beams end
+    } else {
+      EXPECT_EQ(At(map, on_bar).quality, from_afar);
+    }
+    EXPECT_EQ(At(map, before_bar).quality, 0);
+  }
+}
+
 TEST(TsdfIntegrator, CarvesFreeSpaceAlongBeamsWithoutReturnUpToTheirRange) {
   TsdfMap map(Grid(), kTruncation_m);
   TsdfIntegrator(map, WeightPolicy::kBestView).Integrate(AnalyticScene().Scan(At(0, 0, 4)));
