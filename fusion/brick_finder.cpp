@@ -7,6 +7,14 @@ int LowestOf(int bits) { return __builtin_ctz(static_cast<unsigned>(bits)); }
 
 }  // namespace
 
+bool BrickFinder::NeverObserved(int block, int first_brick, int bricks) const {
+  const TsdfBlock* known = known_[block];
+  if (!known) return true;
+  for (int left = bricks; left != 0; left &= left - 1)
+    if ((Load(&known->weight[(first_brick + LowestOf(left)) * kBrickVoxels]) > 0.0f).any()) return false;
+  return true;
+}
+
 void BrickFinder::Find(const ScanView& view) {
   octants_.clear();
   bricks_.clear();
@@ -20,8 +28,9 @@ void BrickFinder::Find(const ScanView& view) {
       const Cube octant{blocks_[i].block, 8 * number, parts_[i].Lowest(number)};
       const int clear = ClearOf(octant);
       if (clear == 0xff && (sight.passed >> number & 1)) continue;
-      if (sight.free >> number & 1)
-        free_.push_back({octant.block, octant.first_brick, ~clear & 0xff, sight.farthest_m[number]});
+      const int rest = ~clear & 0xff;
+      if ((sight.free >> number & 1) && NeverObserved(octant.block, octant.first_brick, rest))
+        free_.push_back({octant.block, octant.first_brick, rest});
       else
         octants_.push_back(octant);
     }
@@ -34,8 +43,8 @@ void BrickFinder::Find(const ScanView& view) {
     const int clear = ClearOf(octant);
     for (int left = sight.seen & ~(sight.passed & clear); left != 0; left &= left - 1) {
       const int number = LowestOf(left), brick = octant.first_brick + number;
-      if (sight.free >> number & 1)
-        free_.push_back({octant.block, brick, 1, sight.farthest_m[number]});
+      if ((sight.free >> number & 1) && NeverObserved(octant.block, brick, 1))
+        free_.push_back({octant.block, brick, 1});
       else
         bricks_.push_back({octant.block, brick, parts_[i].Lowest(number)});
     }

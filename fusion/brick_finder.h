@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "core/map/tsdf_map.h"
 #include "fusion/scan_view.h"
 
 namespace citrine::fusion {
@@ -22,21 +23,20 @@ class BrickFinder {
     int first_brick;           ///< of the block
     Eigen::Vector3f lowest_S;  ///< [m] centre of its lowest voxel, sensor frame
   };
-  /// Bricks that the scan sees to be free, one bit each from `first_brick` on.
+  /// Bricks never observed that the scan sees to be free, one bit each from `first_brick` on.
   struct Free {
     int block, first_brick, bricks;
-    float farthest_m;  ///< that was seen around them
   };
 
   /// Forgets all blocks; their memory is used again.
   void Clear() {
     blocks_.clear();
-    clear_.clear();
+    known_.clear();
   }
-  /// @param lowest_S  [m] centre of the block's lowest voxel @param clear_bricks  see TsdfBlock
-  void Add(const Eigen::Vector3f& lowest_S, std::uint64_t clear_bricks) {
+  /// @param lowest_S  [m] centre of the block's lowest voxel @param known  nullptr: never observed
+  void Add(const Eigen::Vector3f& lowest_S, const TsdfBlock* known) {
     blocks_.push_back({static_cast<int>(blocks_.size()), 0, lowest_S});
-    clear_.push_back(clear_bricks);
+    known_.push_back(known);
   }
   void Find(const ScanView& view);
 
@@ -45,10 +45,15 @@ class BrickFinder {
   std::span<const Cube> bricks() const { return bricks_; }
 
  private:
-  int ClearOf(const Cube& octant) const { return clear_[octant.block] >> octant.first_brick & 0xff; }
+  /// Of the eight bricks of an octant, one bit each.
+  int ClearOf(const Cube& octant) const {
+    const TsdfBlock* known = known_[octant.block];
+    return known ? static_cast<int>(known->clear_bricks >> octant.first_brick & 0xff) : 0;
+  }
+  bool NeverObserved(int block, int first_brick, int bricks) const;
 
   std::vector<Cube> blocks_, octants_, bricks_;
-  std::vector<std::uint64_t> clear_;  ///< one a block
+  std::vector<const TsdfBlock*> known_;  ///< one a block
   std::vector<EightCubes> parts_;
   std::vector<Free> free_;
 };

@@ -9,10 +9,9 @@ namespace citrine::fusion {
 /// What a scan can say about eight balls of voxels at once (bricks, octants or blocks), before any voxel is
 /// looked up.
 struct BrickSight {
-  int seen;                         ///< one bit each: neither out of view nor all of it behind what was seen
-  int passed;                       ///< no return ends near it: all that can be said is that it is free
-  int free;                         ///< that can be said of all of it
-  alignas(32) float farthest_m[8];  ///< that was seen around it, where it is free
+  int seen;    ///< one bit each: neither out of view nor all of it behind what was seen
+  int passed;  ///< no return ends near it: all that can be said is that it is free
+  int free;    ///< that can be said of all of it
 };
 
 /// Compares the nearest and farthest points of balls with the ranges in the window of the image that holds
@@ -63,7 +62,6 @@ inline BrickSight SightOf(Lanes x, Lanes y, Lanes z, float radius_m, const Lidar
   sight.seen = Bits(Without(Mask::Everywhere(), Without(Without(behind, too_wide) | out_of_view, around)));
   sight.passed = Bits(passed);
   sight.free = Bits(passed & in_view & cells.all_valid);
-  Store(sight.farthest_m, cells.farthest_m);
   return sight;
 }
 

@@ -30,9 +30,9 @@ __m256i EveryOther(__m256i low, __m256i high) {
 }
 
 /// Codes of a cell, each 0 to 255.
-__m256i Word(__m256i band_begin, __m256i edge_begin, __m256i beyond_band_end, __m256i beyond_farthest) {
+__m256i Word(__m256i band_begin, __m256i edge_begin, __m256i beyond_band_end, __m256i all_valid) {
   const __m256i low = _mm256_or_si256(band_begin, _mm256_slli_epi32(edge_begin, 8));
-  const __m256i high = _mm256_or_si256(beyond_band_end, _mm256_slli_epi32(beyond_farthest, 8));
+  const __m256i high = _mm256_or_si256(beyond_band_end, _mm256_slli_epi32(all_valid, 8));
   return _mm256_or_si256(low, _mm256_slli_epi32(high, 16));
 }
 
@@ -104,7 +104,7 @@ void RangeBounds::CodeRow(const RangeImage& image, int row, float truncation_m) 
   const auto code = [&](float range_m) { return static_cast<int>(std::ceil(range_m * steps_per_m_)); };
   // Cells without any return: sky, sky and invalid beams, invalid beams alone.
   const __m256i none = _mm256_set1_epi32(kTop), sky_end = _mm256_set1_epi32(kTop - code(range_max_m_));
-  const __m256i sky = Word(none, none, sky_end, sky_end),
+  const __m256i sky = Word(none, none, sky_end, none),
                 some = Word(none, none, sky_end, _mm256_setzero_si256()),
                 invalid = Word(none, none, none, _mm256_setzero_si256());
   const double steepest_rad =
@@ -158,9 +158,8 @@ __m256i RangeBounds::CodeOfReturns(const float* at, int stride, float truncation
       ToInt(Select(most > 0.0f, Max((nearest_m - before_m) * steps, 0.0f), static_cast<float>(kTop)));
   const __m256i edge = _mm256_blendv_epi8(begin, nothing, _mm256_castps_si256(smooth.v));
   const __m256i beyond_end = ToInt(Lanes(static_cast<float>(kTop)) - (farthest_m + behind_m) * steps);
-  const __m256i beyond_farthest =
-      ToInt(Keep(least >= 0.0f, Lanes(static_cast<float>(kTop)) - farthest_m * steps));
-  return Word(begin, edge, beyond_end, beyond_farthest);
+  const __m256i all_valid = _mm256_and_si256(_mm256_castps_si256((least >= 0.0f).v), nothing);
+  return Word(begin, edge, beyond_end, all_valid);
 }
 
 void RangeBounds::HalveLine(int words) {
@@ -219,9 +218,7 @@ RangeBounds::Bounds RangeBounds::Of(__m256i row, __m256i rows, __m256i col, __m2
   };
   const Lanes top = static_cast<float>(kTop);
   const auto range_m = [&](Lanes code) { return Select(code < top, code * m_per_step_, kBeyond_m); };
-  const Lanes beyond_farthest = ToFloat(_mm256_srli_epi32(word, 24));
-  return {range_m(byte(0)), range_m(byte(8)), (top - byte(16)) * m_per_step_,
-          (top - beyond_farthest) * m_per_step_, beyond_farthest > 0.0f};
+  return {range_m(byte(0)), range_m(byte(8)), (top - byte(16)) * m_per_step_, byte(24) > 0.0f};
 }
 
 }  // namespace citrine::fusion

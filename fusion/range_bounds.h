@@ -29,8 +29,7 @@ class RangeBounds {
                          ///< is
     Lanes edge_begin_m;  ///< the same of cells that do not show one surface
     Lanes band_end_m;    ///< farther than this nothing is said
-    Lanes farthest_m;    ///< return; the greatest range if a beam has none
-    Mask all_valid;
+    Mask all_valid;      ///< whether no beam is invalid
   };
   /// Over rows of cells [row, row + rows] within the image and columns [col, col + cols], col in [0,
   /// model.cols); at most kHighest and kWidest more.
@@ -52,8 +51,8 @@ class RangeBounds {
 
   float steps_per_m_ = 1, m_per_step_ = 1, range_max_m_ = 0;
   int rows_ = 0, least_row_level_ = 0, least_col_level_ = 0, stride_ = 0;
-  /// A byte each, in steps, the last two as 255 less it and of these the last 0 where a beam is invalid: so
-  /// that the least of each byte is that of a union.
+  /// A byte each, in steps, the end as 255 less it, and last 0 where a beam is invalid: so that the least of
+  /// each byte is that of a union.
   std::vector<std::uint32_t> line_, groups_, windows_;
   alignas(32) Eight first_row_{}, first_col_{};  ///< of a level's tables in the whole, by level
 };

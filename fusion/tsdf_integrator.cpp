@@ -13,7 +13,11 @@ namespace citrine::fusion {
 namespace {
 
 // Share of its weight that a free observation has where a surface was seen before.
-constexpr float kFreeOnSurface = 0.25f;
+constexpr float kFreeOnSurface = 0.05f;
+
+// [1/m^2] Weight of a voxel only ever seen free, a hundredth of that of a surface 10 m away: the first that
+// see one there say where it is.
+constexpr float kFreeWeight = 1e-4f;
 
 // Blocks searched, and bricks looked at, one after the other before the first of them is gone on with.
 constexpr int kBlocksTogether = 32;
@@ -78,16 +82,15 @@ void TsdfIntegrator::IntegrateBlocks(const ScanView& view, int begin, int end, B
   finder.Clear();
   for (int i = begin; i < end; ++i) {
     const TsdfBlock* known = map_.Find(candidates_[i]);
-    finder.Add(view.InSensor(map_.grid().Centre(map_.grid().BlockOrigin(candidates_[i]))),
-               known ? known->clear_bricks : 0);
+    finder.Add(view.InSensor(map_.grid().Centre(map_.grid().BlockOrigin(candidates_[i]))), known);
   }
   finder.Find(view);
   // A block is allocated only once something in it was observed.
   for (const BrickFinder::Free& free : finder.free()) {
     TsdfBlock& block = map_.Allocate(candidates_[begin + free.block]);
     for (int left = free.bricks; left != 0; left &= left - 1)
-      changed_[begin + free.block] |=
-          FuseFree(free.farthest_m, free.first_brick + __builtin_ctz(static_cast<unsigned>(left)), block);
+      FuseFree(free.first_brick + __builtin_ctz(static_cast<unsigned>(left)), block);
+    changed_[begin + free.block] = 1;
   }
   std::array<VoxelObserver::Look, kTogether> looks;
   const auto bricks = finder.bricks();
@@ -114,16 +117,10 @@ void TsdfIntegrator::IntegrateBlocks(const ScanView& view, int begin, int end, B
   }
 }
 
-bool TsdfIntegrator::FuseFree(float farthest_m, int brick, TsdfBlock& block) const {
-  const Lanes weight = 1 / (farthest_m * farthest_m);
-  const auto truncation_m = static_cast<float>(map_.truncation_m());
-  const int at = brick * kBrickVoxels;
-  if ((Load(&block.weight[at]) > 0.0f).any())
-    return Fuse({Mask::Everywhere(), Mask::Nowhere(), truncation_m, weight, 1.0f}, brick, block);
-  Store(&block.distance_m[at], truncation_m);
-  Store(&block.weight[at], weight);
+void TsdfIntegrator::FuseFree(int brick, TsdfBlock& block) const {
+  Store(&block.distance_m[brick * kBrickVoxels], static_cast<float>(map_.truncation_m()));
+  Store(&block.weight[brick * kBrickVoxels], kFreeWeight);
   block.clear_bricks |= std::uint64_t{1} << brick;
-  return true;
 }
 
 bool TsdfIntegrator::Fuse(const Observation& observation, int brick, TsdfBlock& block) const {
@@ -141,7 +138,8 @@ bool TsdfIntegrator::Fuse(const Observation& observation, int brick, TsdfBlock& 
   const Lanes ratio = Min(observation.weight / Max(quality, 1e-9f), 1.0f);
   const Lanes share = Select(free_on_surface, ratio * ratio * kFreeOnSurface, 1.0f) * observation.share;
   const Mask said = Without(observation.said, nothing_new);
-  const Lanes added = Select(said, observation.weight * share, 0.0f);
+  const Lanes added =
+      Select(said, Select(Without(is_free, was_known), kFreeWeight, observation.weight * share), 0.0f);
   const Lanes sum = weight + added;
   const Lanes mean = MulAdd(distance, weight, observation.sdf_m * added) / Max(sum, 1e-30f);
   const Lanes fused = Select(said, Min(Max(mean, -truncation_m), truncation_m), distance);

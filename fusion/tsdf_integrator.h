@@ -33,7 +33,7 @@ class TsdfIntegrator {
   void FindCandidates(const ScanView& view);
   /// Of the candidates from `begin` to `end`.
   void IntegrateBlocks(const ScanView& view, int begin, int end, BrickFinder& finder);
-  bool FuseFree(float farthest_m, int brick, TsdfBlock& block) const;
+  void FuseFree(int brick, TsdfBlock& block) const;
   bool Fuse(const Observation& observation, int brick, TsdfBlock& block) const;
   void CountPoints(const LidarScan& scan, std::vector<int>& changed);
 

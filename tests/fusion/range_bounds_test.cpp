@@ -29,7 +29,7 @@ constexpr double kTruncation_m = 0.5, kVoxel_m = 0.25;
 
 /// Of one lane, all of which are asked the same.
 struct Bounds {
-  float band_begin_m, edge_begin_m, band_end_m, farthest_m;
+  float band_begin_m, edge_begin_m, band_end_m;
   bool all_valid;
 };
 Bounds Of(const RangeBounds& bounds, int row, int rows, int col, int cols) {
@@ -42,7 +42,7 @@ Bounds Of(const RangeBounds& bounds, int row, int rows, int col, int cols) {
     return values[0];
   };
   return {of_one(found.band_begin_m), of_one(found.edge_begin_m), of_one(found.band_end_m),
-          of_one(found.farthest_m), found.all_valid.all()};
+          found.all_valid.all()};
 }
 
 TEST(RangeBounds, HoldWhatVoxelsInEveryWindowAreToldBySearchingThem) {
@@ -84,30 +84,27 @@ TEST(RangeBounds, HoldWhatVoxelsInEveryWindowAreToldBySearchingThem) {
   }
 }
 
-TEST(RangeBounds, HoldTheFarthestRangeOfEveryWindowAndWhetherAllOfItIsValid) {
+TEST(RangeBounds, KnowWhetherAllOfEveryWindowIsValid) {
   Random random(2);
   const LidarScan scan = RandomScan(16, 90, random);
   RangeImage image;
   image.Take(scan, kVoxel_m);
   RangeBounds bounds;
   bounds.Take(image, kTruncation_m);
+  int seen_valid = 0;
   for (int k = 0; k < 400; ++k) {
     const int row = static_cast<int>(random.Below(15)), col = static_cast<int>(random.Below(90));
     const int more_rows = static_cast<int>(random.Below(15 - row)),
               more_cols = static_cast<int>(random.Below(64));
-    float farthest_m = 0;
     bool all_valid = true;
     for (int r = row; r <= row + more_rows + 1; ++r)
-      for (int c = col; c <= col + more_cols + 1; ++c) {
-        const float range_m = scan.ranges_m[r * 90 + c % 90];
-        farthest_m = std::max(farthest_m, range_m == kNoReturn ? 10.0f : range_m);
-        all_valid &= range_m >= 0;
-      }
+      for (int c = col; c <= col + more_cols + 1; ++c) all_valid &= scan.ranges_m[r * 90 + c % 90] >= 0;
     const Bounds found = Of(bounds, row, more_rows, col, more_cols);
     // The window may be larger than asked for, never smaller.
     EXPECT_TRUE(all_valid || !found.all_valid);
-    EXPECT_TRUE(!found.all_valid || found.farthest_m + 1e-3f >= farthest_m);
+    seen_valid += found.all_valid;
   }
+  EXPECT_GT(seen_valid, 0);
 }
 
 TEST(RangeBounds, KnowAWallFromItsEdgeAndFromSky) {

@@ -181,14 +181,24 @@ TEST(TsdfIntegrator, CountsAFreeRayPastASurfaceVoxelAsALookAtIt) {
     const double from_afar = At(map, on_bar).quality;
     EXPECT_NEAR(from_afar, 1 / (9.0 * 9.0), 0.001);
     integrator.Integrate(wall.Scan(At(1, 0.125, 4.125)));  // all of its beams miss the bar
-    if (policy == WeightPolicy::kBestView) {
-      EXPECT_GT(At(map, on_bar).quality, 1.5 * from_afar);
-      EXPECT_LE(At(map, on_bar).quality, 1.02 / (4.125 * 4.125));  // from where the beams end
-    } else {
-      EXPECT_EQ(At(map, on_bar).quality, from_afar);
-    }
+    // From the range at which the beams end.
+    const double expected = policy == WeightPolicy::kBestView ? 1 / (4.125 * 4.125) : from_afar;
+    EXPECT_NEAR(At(map, on_bar).quality, expected, 0.001);
     EXPECT_EQ(At(map, before_bar).quality, 0);
   }
+}
+
+TEST(TsdfIntegrator, TakesTheWordOfTheFirstThatSeeASurfaceWhereAllWasFree) {
+  AnalyticScene far, near;
+  far.AddHalfSpace({-1, 0, 0}, -8.1);
+  near.AddHalfSpace({-1, 0, 0}, -5.2);  // 7.5 cm behind a layer of voxels
+  TsdfMap map(Grid(), kTruncation_m);
+  TsdfIntegrator integrator(map, WeightPolicy::kBestView);
+  for (int k = 0; k < 5; ++k) integrator.Integrate(far.Scan(At(0, 0.125, 4.125)));
+  const Eigen::Vector3d on_surface(5.125, 0.125, 4.125);
+  EXPECT_FLOAT_EQ(At(map, on_surface).distance_m, kTruncation_m);
+  integrator.Integrate(near.Scan(At(-4, 0.125, 4.125)));
+  EXPECT_NEAR(At(map, on_surface).distance_m, 0.075, 0.01);
 }
 
 TEST(TsdfIntegrator, CarvesFreeSpaceAlongBeamsWithoutReturnUpToTheirRange) {
