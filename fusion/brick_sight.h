@@ -26,9 +26,7 @@ inline BrickSight SightOf(Lanes x, Lanes y, Lanes z, float radius_m, const Lidar
 
   // asin(t) <= 1.0472 t for t <= 1/2; nearer than that anything may be seen.
   constexpr float kAsin = 1.0472f;
-  const Lanes per_level = Lanes(1.0f) / Max(level, 1e-3f),
-              per_cos_elevation = Min(distance_m * per_level, 20.0f);
-  const Lanes half_cols = Lanes(kAsin * radius_m * observer.cols_a_radian()) * per_level;
+  const Lanes half_cols = Lanes(kAsin * radius_m * observer.cols_a_radian()) / Max(level, 1e-3f);
   const Lanes half_rows = Lanes(kAsin * radius_m * observer.rows_a_radian()) / distance_m;
   const Mask around = distance_m < 2 * radius_m, over_pole = level < 2 * radius_m;
   const Lanes low = pixel.row - half_rows, high = pixel.row + half_rows;
@@ -45,17 +43,8 @@ inline BrickSight SightOf(Lanes x, Lanes y, Lanes z, float radius_m, const Lidar
   const auto index = [&](Lanes value) { return ToInt(Keep(Without(Mask::Everywhere(), too_wide), value)); };
   const RangeBounds::Bounds cells = bounds.Of(index(first_row), index(rows), index(col), index(num_cols));
 
-  // Before all that the window shows, or before all of its edges and the plane at its centre; likewise
-  // behind.
   const Lanes far_m = distance_m + radius_m;
-  Mask before = far_m<cells.band_begin_m, behind = distance_m - radius_m> cells.band_end_m;
-  const Mask before_edges = far_m<cells.edge_begin_m, no_edge = cells.edge_begin_m> range_max_m;
-  if (Without(before_edges, before | behind | out_of_view).any()) {
-    const auto [on_plane, height_m] = observer.HeightOf(pixel, distance_m, per_cos_elevation);
-    const float clear_m = truncation_m + 1.1f * radius_m;
-    before = before | (on_plane & before_edges & (height_m > clear_m));
-    behind = behind | (on_plane & no_edge & (height_m < -clear_m));
-  }
+  const Mask before = far_m<cells.band_begin_m, behind = distance_m - radius_m> cells.band_end_m;
   const Mask passed = Without(before, too_wide);
   const Mask in_view = (low >= 0.0f) & (high <= last_row) & (far_m < range_max_m);
   BrickSight sight;

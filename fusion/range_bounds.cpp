@@ -30,10 +30,9 @@ __m256i EveryOther(__m256i low, __m256i high) {
 }
 
 /// Codes of a cell, each 0 to 255.
-__m256i Word(__m256i band_begin, __m256i edge_begin, __m256i beyond_band_end, __m256i all_valid) {
-  const __m256i low = _mm256_or_si256(band_begin, _mm256_slli_epi32(edge_begin, 8));
-  const __m256i high = _mm256_or_si256(beyond_band_end, _mm256_slli_epi32(all_valid, 8));
-  return _mm256_or_si256(low, _mm256_slli_epi32(high, 16));
+__m256i Word(__m256i band_begin, __m256i beyond_band_end, __m256i all_valid) {
+  return _mm256_or_si256(_mm256_or_si256(band_begin, _mm256_slli_epi32(beyond_band_end, 8)),
+                         _mm256_slli_epi32(all_valid, 16));
 }
 
 }  // namespace
@@ -104,9 +103,8 @@ void RangeBounds::CodeRow(const RangeImage& image, int row, float truncation_m) 
   const auto code = [&](float range_m) { return static_cast<int>(std::ceil(range_m * steps_per_m_)); };
   // Cells without any return: sky, sky and invalid beams, invalid beams alone.
   const __m256i none = _mm256_set1_epi32(kTop), sky_end = _mm256_set1_epi32(kTop - code(range_max_m_));
-  const __m256i sky = Word(none, none, sky_end, none),
-                some = Word(none, none, sky_end, _mm256_setzero_si256()),
-                invalid = Word(none, none, none, _mm256_setzero_si256());
+  const __m256i sky = Word(none, sky_end, none), some = Word(none, sky_end, _mm256_setzero_si256()),
+                invalid = Word(none, none, _mm256_setzero_si256());
   const double steepest_rad =
       std::max(std::abs(model.Elevation(row)), std::abs(model.Elevation(std::min(row + 1, model.rows - 1))));
   const auto per_cos = static_cast<float>(std::min(1 / std::max(std::cos(steepest_rad), 1e-6), 20.0));
@@ -138,10 +136,12 @@ __m256i RangeBounds::CodeOfReturns(const float* at, int stride, float truncation
   const Mask smooth = LowestBit(q00) & (least > 0.0f);
   const Lanes nearest_m = Lanes(1.0f) / Max(most, 1e-3f);
 
-  // Of beams that are valid, the farthest; 0 inverse range is no return.
-  const auto valid = [](Lanes q) { return Lanes(_mm256_blendv_ps(q.v, Lanes(1e6f).v, q.v)); };
-  const Lanes farthest_q = Min(Min(valid(q00), valid(q01)), Min(valid(q10), valid(q11)));
-  const Lanes farthest_m = Min(Lanes(1.0f) / Max(farthest_q, 1e-3f), range_max_m_);
+  // Of the returns, the farthest.
+  const auto returned = [](Lanes q) { return Select(q > 0.0f, q, 1e6f); };
+  const Lanes farthest_q = Min(Min(returned(q00), returned(q01)), Min(returned(q10), returned(q11)));
+  const Lanes farthest_m = Lanes(1.0f) / Max(farthest_q, 1e-3f);
+  const auto no_return = [](Lanes q) { return Mask{_mm256_cmp_ps(q.v, Lanes(0.0f).v, _CMP_EQ_OQ)}; };
+  const Mask any_sky = no_return(q00) | no_return(q01) | no_return(q10) | no_return(q11);
 
   // One surface is spoken of along its normal, by the slopes of q at their steepest; else each beam speaks
   // for itself, and one without return up to its range.
@@ -149,17 +149,16 @@ __m256i RangeBounds::CodeOfReturns(const float* at, int stride, float truncation
               turn = Max(Abs(q01 - q00), Abs(q11 - q10)) * left;
   const Lanes g = Sqrt(MulAdd(most, most, MulAdd(rise, rise, turn * turn)));
   const Lanes before_m = Select(smooth, g * nearest_m, 1.0f) * truncation_m;
-  const Lanes behind_m =
-      Keep(farthest_q > 0.0f, Select(smooth, Min(g * farthest_m, 2.0f), 1.0f)) * truncation_m;
+  const Lanes behind_m = Select(smooth, Min(g * farthest_m, 2.0f), 1.0f) * truncation_m;
+  const Lanes end_m = Max(farthest_m + behind_m, Keep(any_sky, range_max_m_));
 
   const Lanes steps = steps_per_m_;
   const auto nothing = _mm256_set1_epi32(kTop);
   const __m256i begin =
       ToInt(Select(most > 0.0f, Max((nearest_m - before_m) * steps, 0.0f), static_cast<float>(kTop)));
-  const __m256i edge = _mm256_blendv_epi8(begin, nothing, _mm256_castps_si256(smooth.v));
-  const __m256i beyond_end = ToInt(Lanes(static_cast<float>(kTop)) - (farthest_m + behind_m) * steps);
+  const __m256i beyond_end = ToInt(Lanes(static_cast<float>(kTop)) - end_m * steps);
   const __m256i all_valid = _mm256_and_si256(_mm256_castps_si256((least >= 0.0f).v), nothing);
-  return Word(begin, edge, beyond_end, all_valid);
+  return Word(begin, beyond_end, all_valid);
 }
 
 void RangeBounds::HalveLine(int words) {
@@ -218,7 +217,7 @@ RangeBounds::Bounds RangeBounds::Of(__m256i row, __m256i rows, __m256i col, __m2
   };
   const Lanes top = static_cast<float>(kTop);
   const auto range_m = [&](Lanes code) { return Select(code < top, code * m_per_step_, kBeyond_m); };
-  return {range_m(byte(0)), range_m(byte(8)), (top - byte(16)) * m_per_step_, byte(24) > 0.0f};
+  return {range_m(byte(0)), (top - byte(8)) * m_per_step_, byte(16) > 0.0f};
 }
 
 }  // namespace citrine::fusion

@@ -27,7 +27,6 @@ class RangeBounds {
   struct Bounds {
     Lanes band_begin_m;  ///< nearer than this no surface is within the truncation; beyond every range if none
                          ///< is
-    Lanes edge_begin_m;  ///< the same of cells that do not show one surface
     Lanes band_end_m;    ///< farther than this nothing is said
     Mask all_valid;      ///< whether no beam is invalid
   };
@@ -41,7 +40,6 @@ class RangeBounds {
   void CodeRow(const RangeImage& image, int row, float truncation_m);
   __m256i CodeOfReturns(const float* at, int stride, float truncation_m, float up, float left) const;
   void HalveLine(int words);
-  void JoinCells(int row);
   void JoinCols(int row);
   void JoinRows(int level);
   std::uint32_t* Windows(int row_level, int row, int col_level) {
@@ -51,7 +49,7 @@ class RangeBounds {
 
   float steps_per_m_ = 1, m_per_step_ = 1, range_max_m_ = 0;
   int rows_ = 0, least_row_level_ = 0, least_col_level_ = 0, stride_ = 0;
-  /// A byte each, in steps, the end as 255 less it, and last 0 where a beam is invalid: so that the least of
+  /// A byte each: the begin in steps, 255 less the end, and 0 where a beam is invalid: so that the least of
   /// each byte is that of a union.
   std::vector<std::uint32_t> line_, groups_, windows_;
   alignas(32) Eight first_row_{}, first_col_{};  ///< of a level's tables in the whole, by level

@@ -12,13 +12,6 @@
 namespace citrine::fusion {
 namespace {
 
-// Share of its weight that a free observation has where a surface was seen before.
-constexpr float kFreeOnSurface = 0.05f;
-
-// [1/m^2] Weight of a voxel only ever seen free, a hundredth of that of a surface 10 m away: the first that
-// see one there say where it is.
-constexpr float kFreeWeight = 1e-4f;
-
 // Blocks searched, and bricks looked at, one after the other before the first of them is gone on with.
 constexpr int kBlocksTogether = 32;
 constexpr std::size_t kTogether = 16;
@@ -26,7 +19,7 @@ constexpr std::size_t kTogether = 16;
 }  // namespace
 
 TsdfIntegrator::TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int threads)
-    : map_(map), policy_(policy), threads_(threads) {}
+    : map_(map), policy_(policy), threads_(threads), fuser_(map.truncation_m(), policy) {}
 
 std::vector<int> TsdfIntegrator::Integrate(const LidarScan& scan) {
   image_.Take(scan, map_.grid().voxel_m());
@@ -89,7 +82,7 @@ void TsdfIntegrator::IntegrateBlocks(const ScanView& view, int begin, int end, B
   for (const BrickFinder::Free& free : finder.free()) {
     TsdfBlock& block = map_.Allocate(candidates_[begin + free.block]);
     for (int left = free.bricks; left != 0; left &= left - 1)
-      FuseFree(free.first_brick + __builtin_ctz(static_cast<unsigned>(left)), block);
+      fuser_.FuseFree(free.first_brick + __builtin_ctz(static_cast<unsigned>(left)), block);
     changed_[begin + free.block] = 1;
   }
   std::array<VoxelObserver::Look, kTogether> looks;
@@ -112,54 +105,9 @@ void TsdfIntegrator::IntegrateBlocks(const ScanView& view, int begin, int end, B
       const TsdfBlock* known = map_.Find(candidates_[at]);
       const bool clear = known && (known->clear_bricks >> brick.first_brick & 1);
       const bool news = clear ? observation.in_band.any() : observation.said.any();
-      if (news) changed_[at] |= Fuse(observation, brick.first_brick, map_.Allocate(candidates_[at]));
+      if (news) changed_[at] |= fuser_.Fuse(observation, brick.first_brick, map_.Allocate(candidates_[at]));
     }
   }
-}
-
-void TsdfIntegrator::FuseFree(int brick, TsdfBlock& block) const {
-  Store(&block.distance_m[brick * kBrickVoxels], static_cast<float>(map_.truncation_m()));
-  Store(&block.weight[brick * kBrickVoxels], kFreeWeight);
-  block.clear_bricks |= std::uint64_t{1} << brick;
-}
-
-bool TsdfIntegrator::Fuse(const Observation& observation, int brick, TsdfBlock& block) const {
-  const int at = brick * kBrickVoxels;
-  const Lanes distance = Load(&block.distance_m[at]), weight = Load(&block.weight[at]),
-              quality = Load(&block.quality[at]);
-  const auto truncation_m = static_cast<float>(map_.truncation_m());
-  const Lanes codes_per_m = 127.0f / truncation_m;
-
-  // A free ray seldom knows better than whoever saw a surface here from nearer by, and nothing new where all
-  // is free.
-  const Mask is_free = observation.sdf_m >= truncation_m, was_known = weight > 0.0f;
-  const Mask nothing_new = is_free & was_known & (distance >= truncation_m);
-  const Mask free_on_surface = Without((quality > 0.0f) & is_free, observation.in_band);
-  const Lanes ratio = Min(observation.weight / Max(quality, 1e-9f), 1.0f);
-  const Lanes share = Select(free_on_surface, ratio * ratio * kFreeOnSurface, 1.0f) * observation.share;
-  const Mask said = Without(observation.said, nothing_new);
-  const Lanes added =
-      Select(said, Select(Without(is_free, was_known), kFreeWeight, observation.weight * share), 0.0f);
-  const Lanes sum = weight + added;
-  const Lanes mean = MulAdd(distance, weight, observation.sdf_m * added) / Max(sum, 1e-30f);
-  const Lanes fused = Select(said, Min(Max(mean, -truncation_m), truncation_m), distance);
-
-  Lanes confidence = quality;
-  if (policy_ == WeightPolicy::kBestView)
-    confidence = Select(observation.in_band | (observation.said & free_on_surface),
-                        Max(quality, observation.weight), quality);
-  else if (policy_ == WeightPolicy::kPerScan)
-    confidence = Select(observation.in_band, quality + observation.weight, quality);
-  Store(&block.distance_m[at], fused);
-  Store(&block.weight[at], sum);
-  Store(&block.quality[at], confidence);
-  const Mask clear = Without((fused >= truncation_m) & (sum > 0.0f), confidence > 0.0f);
-  const std::uint64_t bit = std::uint64_t{1} << brick;
-  block.clear_bricks = clear.all() ? block.clear_bricks | bit : block.clear_bricks & ~bit;
-
-  const Mask first_seen = Without(sum > 0.0f, was_known);
-  const Mask moved = Round(fused * codes_per_m) != Round(distance * codes_per_m);
-  return (first_seen | moved | (confidence != quality)).any();
 }
 
 void TsdfIntegrator::CountPoints(const LidarScan& scan, std::vector<int>& changed) {

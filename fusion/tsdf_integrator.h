@@ -6,21 +6,20 @@
 #include "core/map/tsdf_map.h"
 #include "core/sensor/lidar_scan.h"
 #include "fusion/brick_finder.h"
+#include "fusion/brick_fuser.h"
 #include "fusion/range_bounds.h"
 #include "fusion/range_image.h"
 #include "fusion/scan_view.h"
-#include "fusion/voxel_observer.h"
 #include "fusion/weight_policy.h"
 
 namespace citrine::fusion {
 
 /// Fuses one scan at a time into a TSDF, voxel by voxel: each voxel of each block within range is projected
-/// into the scan's range image and observed once (projective integration; Curless & Levoy 1996 for the
-/// averaging).
+/// into the scan's range image and observed once (projective integration).
 ///
 /// Blocks, and bricks of blocks, that the image shows to lie behind what was seen are skipped, and so are
-/// those that beams pass without a return nearby if all of them is known as free. A surface once seen well is
-/// kept from free rays that graze it from afar.
+/// those that beams pass without a return nearby if all of them is known as free. The map is the same to the
+/// bit as if every voxel were looked up.
 class TsdfIntegrator {
  public:
   /// @param threads  that share the blocks of a scan; the map is the same to the bit for any number
@@ -33,13 +32,12 @@ class TsdfIntegrator {
   void FindCandidates(const ScanView& view);
   /// Of the candidates from `begin` to `end`.
   void IntegrateBlocks(const ScanView& view, int begin, int end, BrickFinder& finder);
-  void FuseFree(int brick, TsdfBlock& block) const;
-  bool Fuse(const Observation& observation, int brick, TsdfBlock& block) const;
   void CountPoints(const LidarScan& scan, std::vector<int>& changed);
 
   TsdfMap& map_;
   WeightPolicy policy_;
   int threads_;
+  BrickFuser fuser_;
   RangeImage image_;
   RangeBounds bounds_;
   std::vector<int> candidates_;        ///< blocks of which the scan may tell something

@@ -32,13 +32,6 @@ class VoxelObserver {
     return {(AtanRight(z, Sqrt(x * x + y * y)) - elevation_min_) * per_row_,
             MulAdd(Atan2(y, x), per_col_, centre_col_)};
   }
-  /// [m] of points over the plane that is seen around their pixels, along its normal, where there is one.
-  struct Height {
-    Mask on_plane;
-    Lanes height_m;
-  };
-  Height HeightOf(const Pixel& pixel, Lanes distance_m, Lanes per_cos_elevation) const;
-
   float rows_a_radian() const { return per_row_; }
   float cols_a_radian() const { return per_col_; }
 
@@ -128,13 +121,6 @@ inline VoxelObserver::Plane VoxelObserver::PlaneOf(const Cell& cell, Lanes per_c
   plane.per_g =
       Lanes(1.0f) / Sqrt(MulAdd(plane.q, plane.q, MulAdd(plane.up, plane.up, plane.left * plane.left)));
   return plane;
-}
-
-inline VoxelObserver::Height VoxelObserver::HeightOf(const Pixel& pixel, Lanes distance_m,
-                                                     Lanes per_cos_elevation) const {
-  const Cell cell = CellAt(pixel);
-  const Plane plane = PlaneOf(cell, per_cos_elevation);
-  return {cell.one_surface, (Lanes(1.0f) - distance_m * plane.q) * plane.per_g};
 }
 
 inline VoxelObserver::Look VoxelObserver::LookAt(Lanes x, Lanes y, Lanes z) const {

@@ -331,30 +331,5 @@ TEST(TsdfIntegrator, IsTheSameBitForBitWhenRepeatedAndForAnyNumberOfThreads) {
   }
 }
 
-TEST(TsdfIntegrator, SkipsOnlyWhatItWouldNotHaveChanged) {
-  // A map whose bricks all count as unclear is looked at voxel by voxel.
-  AnalyticScene scene;
-  scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0.0);
-  scene.AddBox({3, -2, 0}, {5, 2, 3});
-  TsdfMap skipping(Grid(), kTruncation_m), looking(Grid(), kTruncation_m);
-  TsdfIntegrator a(skipping, WeightPolicy::kBestView), b(looking, WeightPolicy::kBestView);
-  for (int i = 0; i < 12; ++i) {
-    const LidarScan scan = scene.Scan(At(-5 + 0.5 * i, -3 + 0.3 * i, 2.5, 0.05, 0.03, 0.2 * i));
-    for (int block = 0; block < looking.grid().num_blocks(); ++block)
-      if (TsdfBlock* known = looking.Find(block)) known->clear_bricks = 0;
-    a.Integrate(scan);
-    b.Integrate(scan);
-  }
-  int differ = 0, known = 0;
-  ForEachVoxel(skipping.grid(), [&](const VoxelIndex& v) {
-    const Voxel with = At(skipping, v), without = At(looking, v);
-    if (!with.known() && !without.known()) return;
-    ++known;
-    differ += with.known() != without.known() || std::abs(with.distance_m - without.distance_m) > 0.02;
-  });
-  EXPECT_GT(known, 50000);
-  EXPECT_LT(differ, 0.001 * known);
-}
-
 }  // namespace
 }  // namespace citrine::fusion
