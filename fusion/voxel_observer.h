@@ -182,7 +182,8 @@ inline Observation VoxelObserver::AlongNormal(const Cell& cell, const Pixel& pix
   observation.sdf_m = perpendicular_m;
   Lanes surface_q = q;  // inverse range of the surface that is spoken of
   Mask doubtful = Mask::Nowhere();
-  const Mask to_check = (Abs(perpendicular_m) < truncation_m_) & (aside2 > voxel_m_ * voxel_m_ * 0.0625f);
+  const Mask to_check = (Abs(perpendicular_m) < truncation_m_) &
+                        ((aside2 > voxel_m_ * voxel_m_ * 0.0625f) | (Abs(short_of_surface) > voxel_m_ * q));
   if (to_check.any()) {
     // atan(t) = t - t^3/3 and sqrt(1 + t^2) = 1 + t^2/2, to within 1 % for the angles that matter here.
     const Lanes per_ahead = Lanes(1.0f) / Max(foot_along, 0.25f);

@@ -311,6 +311,27 @@ TEST(TsdfIntegrator, MakesNoPhantomsBeyondTheEdgesOfABox) {
   EXPECT_EQ(phantoms, 0);
 }
 
+TEST(TsdfIntegrator, ContinuesNoFaceOfABoxBeyondItsEdges) {
+  AnalyticScene scene;
+  scene.AddBox({-1.07, -0.87, -0.97}, {0.93, 1.33, 2.53});
+  TsdfMap map(Grid(), kTruncation_m);
+  TsdfIntegrator integrator(map, WeightPolicy::kBestView);
+  Random random(1);
+  for (const double z : {1.5, 3.0, 4.5})
+    for (int i = 0; i < 40; ++i) {
+      const double at = i * EIGEN_PI / 20;
+      integrator.Integrate(scene.Scan(
+          At(4 * std::cos(at), 4 * std::sin(at), z, 0.06 * std::sin(i), 0, at + 3.14), {}, 1.5e-4, &random));
+    }
+  int phantoms = 0;
+  ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
+    const Voxel voxel = At(map, v);
+    phantoms +=
+        voxel.known() && voxel.distance_m < kVoxel_m && scene.Distance(map.grid().Centre(v)) > 1.5 * kVoxel_m;
+  });
+  EXPECT_EQ(phantoms, 0);
+}
+
 TEST(TsdfIntegrator, IsTheSameBitForBitWhenRepeatedAndForAnyNumberOfThreads) {
   AnalyticScene scene;
   scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0.0);
