@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/digest.h"
+#include "core/map/planning_map.h"
 #include "core/quality/confidence.h"
 
 namespace citrine::fusion {
@@ -21,11 +22,12 @@ MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisatio
   };
   for (int code = 0; code < 256; ++code) {
     const double distance_m = quantisation.Distance(static_cast<std::uint8_t>(code));
-    class_of_[code] = code == kUnknownCode
-                          ? 0
-                          : static_cast<std::uint8_t>(1 + (distance_m > -grid.voxel_m()) +
-                                                      (distance_m >= grid.voxel_m() / 2) +
-                                                      (distance_m > grid.voxel_m()) + (code == kFreeCode));
+    class_of_[code] =
+        code == kUnknownCode
+            ? 0
+            : static_cast<std::uint8_t>(1 + (distance_m > -grid.voxel_m()) +
+                                        (distance_m >= PlanningMap::kSiteBelow_vox * grid.voxel_m()) +
+                                        (distance_m > grid.voxel_m()) + (code == kFreeCode));
     goals_of_[code] = reaches(code, goals.whole());
     for (const QualityGoals::Region& region : goals.regions()) goals_of_[code] += reaches(code, region.goal);
   }

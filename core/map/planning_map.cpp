@@ -34,7 +34,7 @@ PlanningMap::PlanningMap(const VoxelGrid& grid, const Quantisation& quantisation
     const double distance_m = quantisation.Distance(static_cast<std::uint8_t>(code));
     const VoxelState state = distance_m > grid.voxel_m() ? VoxelState::kEmpty : VoxelState::kOccupied;
     state_of_[code] = static_cast<std::uint8_t>(state);
-    occupied_of_[code] = distance_m < grid.voxel_m() / 2;
+    occupied_of_[code] = distance_m < kSiteBelow_vox * grid.voxel_m();
   }
   const VoxelIndex &min = grid.inside_min(), &max = grid.inside_max();
   for (int z = min.z(); z < max.z(); ++z)

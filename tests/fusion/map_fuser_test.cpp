@@ -66,7 +66,7 @@ TEST(MapFuser, SaysWhatDecidesAtOnceAndSmallDriftsInTurn) {
       EXPECT_EQ(said->distance[i] == kUnknownCode, now.distance[i] == kUnknownCode);
       if (now.distance[i] == kUnknownCode) continue;
       EXPECT_EQ(said_m > 0.25, now_m > 0.25);
-      EXPECT_EQ(said_m < 0.125, now_m < 0.125);
+      EXPECT_EQ(said_m < PlanningMap::kSiteBelow_vox * 0.25, now_m < PlanningMap::kSiteBelow_vox * 0.25);
       EXPECT_EQ(said->weight[i] == 255, now.weight[i] == 255);
       EXPECT_NEAR(said_m, now_m, MapFuser::kStillDistance * 0.5 / 127 + 1e-9);
     }

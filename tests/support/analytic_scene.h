@@ -12,11 +12,19 @@
 
 namespace citrine::test {
 
-/// A scene of boxes, spheres and half spaces whose distances and ray hits are known exactly.
+/// A scene of boxes, spheres, upright cylinders and half spaces whose distances and ray hits are known
+/// exactly.
 class AnalyticScene {
  public:
   void AddBox(const Eigen::Vector3d& min_W, const Eigen::Vector3d& max_W) {
-    boxes_.push_back({min_W, max_W});
+    AddTurnedBox((max_W - min_W) / 2, {(min_W + max_W) / 2, Eigen::Quaterniond::Identity()});
+  }
+  /// @param half_m  of its sides @param X_WB  its middle and how it is turned
+  void AddTurnedBox(const Eigen::Vector3d& half_m, const Pose& X_WB) {
+    boxes_.push_back({half_m, X_WB.q.conjugate().toRotationMatrix(), X_WB.p});
+  }
+  void AddCylinder(const Eigen::Vector3d& bottom_W, double radius_m, double height_m) {
+    cylinders_.push_back({bottom_W, radius_m, height_m});
   }
   void AddSphere(const Eigen::Vector3d& centre_W, double radius_m) {
     spheres_.push_back({centre_W, radius_m});
@@ -30,7 +38,12 @@ class AnalyticScene {
   double Distance(const Eigen::Vector3d& p) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Box& box : boxes_) {
-      const Eigen::Vector3d q = (box.min - p).cwiseMax(p - box.max);
+      const Eigen::Vector3d q = (box.R_BW * (p - box.p_WB)).cwiseAbs() - box.half;
+      nearest = std::min(nearest, q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0));
+    }
+    for (const Cylinder& c : cylinders_) {
+      const Eigen::Vector3d at = p - c.bottom;
+      const Eigen::Vector2d q(at.head<2>().norm() - c.radius, std::max(-at.z(), at.z() - c.height));
       nearest = std::min(nearest, q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0));
     }
     for (const Sphere& s : spheres_) nearest = std::min(nearest, (p - s.centre).norm() - s.radius);
@@ -43,13 +56,25 @@ class AnalyticScene {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Box& box : boxes_) {
       double enter = 0, leave = nearest;
+      const Eigen::Vector3d from_B = box.R_BW * (from - box.p_WB), along_B = box.R_BW * direction;
       for (int axis = 0; axis < 3; ++axis) {
-        double a = (box.min[axis] - from[axis]) / direction[axis],
-               b = (box.max[axis] - from[axis]) / direction[axis];
+        double a = (-box.half[axis] - from_B[axis]) / along_B[axis],
+               b = (box.half[axis] - from_B[axis]) / along_B[axis];
         if (a > b) std::swap(a, b);
         enter = std::max(enter, a);
         leave = std::min(leave, b);
       }
+      if (enter < leave && enter > 0) nearest = std::min(nearest, enter);
+    }
+    for (const Cylinder& c : cylinders_) {
+      const Eigen::Vector3d at = from - c.bottom;
+      const double a = direction.head<2>().squaredNorm(), b = direction.head<2>().dot(at.head<2>());
+      const double root = b * b - a * (at.head<2>().squaredNorm() - c.radius * c.radius);
+      if (root < 0 || a == 0) continue;
+      double low = -at.z() / direction.z(), high = (c.height - at.z()) / direction.z();
+      if (low > high) std::swap(low, high);
+      const double enter = std::max(low, (-b - std::sqrt(root)) / a),
+                   leave = std::min(high, (-b + std::sqrt(root)) / a);
       if (enter < leave && enter > 0) nearest = std::min(nearest, enter);
     }
     for (const Sphere& s : spheres_) {
@@ -83,7 +108,13 @@ class AnalyticScene {
 
  private:
   struct Box {
-    Eigen::Vector3d min, max;
+    Eigen::Vector3d half;
+    Eigen::Matrix3d R_BW;
+    Eigen::Vector3d p_WB;
+  };
+  struct Cylinder {
+    Eigen::Vector3d bottom;
+    double radius, height;
   };
   struct Sphere {
     Eigen::Vector3d centre;
@@ -94,6 +125,7 @@ class AnalyticScene {
     double offset;
   };
   std::vector<Box> boxes_;
+  std::vector<Cylinder> cylinders_;
   std::vector<Sphere> spheres_;
   std::vector<HalfSpace> half_spaces_;
 };

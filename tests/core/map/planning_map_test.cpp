@@ -53,7 +53,9 @@ TEST(PlanningMap, KeepsItsDistanceFieldsEqualToBruteForceWhileBlocksCome) {
     std::vector<VoxelIndex> occupied, unknown;
     for (std::size_t i = 0; i < grid.num_voxels(); ++i) {
       const VoxelIndex v = grid.FromLinear(i);
-      if (map.state(i) != VoxelState::kUnknown && map.distance_m(i) < 0.125) occupied.push_back(v);
+      if (map.state(i) != VoxelState::kUnknown &&
+          map.distance_m(i) < PlanningMap::kSiteBelow_vox * grid.voxel_m())
+        occupied.push_back(v);
       if (map.state(i) == VoxelState::kUnknown && grid.Inside(v) &&
           (grid.Centre(v) - Eigen::Vector3d(6, 4, 3)).norm() > 2.25)
         unknown.push_back(v);
