@@ -6,11 +6,15 @@ namespace citrine::fusion {
 namespace {
 
 // Share of its weight that a free observation has where a surface was seen before.
-constexpr float kFreeOnSurface = 0.05f;
+constexpr float kFreeOnSurface = 0.2f;
 
 // [1/m^2] Weight of a voxel only ever seen free, a hundredth of that of a surface 10 m away: the first that
 // see one there say where it is.
 constexpr float kFreeWeight = 1e-4f;
+
+// A look adds nothing where what is known outweighs it as many times: by then noise is averaged away, and
+// what is left of a look's error is the same each time.
+constexpr float kLooks = 16;
 
 }  // namespace
 
@@ -28,8 +32,9 @@ bool BrickFuser::Fuse(const Observation& observation, int brick, TsdfBlock& bloc
   const Lanes ratio = Min(observation.weight / Max(quality, 1e-9f), 1.0f);
   const Lanes share = Select(free_on_surface, ratio * ratio * kFreeOnSurface, 1.0f) * observation.share;
   const Mask said = Without(observation.said, nothing_new);
+  const Lanes offered = Select(Without(is_free, was_known), kFreeWeight, observation.weight * share);
   const Lanes added =
-      Select(said, Select(Without(is_free, was_known), kFreeWeight, observation.weight * share), 0.0f);
+      Select(said, Min(offered, Max(MulAdd(offered, kLooks, Lanes(0.0f) - weight), 0.0f)), 0.0f);
   const Lanes sum = weight + added;
   const Lanes mean = Select(was_known, MulAdd(distance, weight, observation.sdf_m * added) / Max(sum, 1e-30f),
                             observation.sdf_m);

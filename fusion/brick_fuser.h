@@ -9,7 +9,8 @@ namespace citrine::fusion {
 /// Averages what a scan says about the voxels of a brick into what was known of them (Curless & Levoy 1996).
 ///
 /// A surface once seen is kept from free rays, the more the better it was seen; where none was, that it is
-/// free is all that free rays tell.
+/// free is all that free rays tell. What has been seen often enough is moved by nearer looks alone, so that
+/// hovering does not wear it away.
 class BrickFuser {
  public:
   BrickFuser(double truncation_m, WeightPolicy policy)

@@ -17,7 +17,8 @@ inline constexpr int kBrickSide = 2, kBrickVoxels = 8, kBlockBricks = 64;
 struct alignas(64) TsdfBlock {
   /// [m] signed distance to the surface, averaged by weight, within +-truncation
   float distance_m[kBlockVoxels];
-  /// Sum of the weights of all observations; 0: unknown. A voxel only ever seen free has a token of one.
+  /// Sum of the weights of the observations that distance_m averages; 0: unknown. A voxel only ever seen free
+  /// has a token of one.
   float weight[kBlockVoxels];
   /// Confidence by the mission's weight policy, surface band only (section III-A)
   float quality[kBlockVoxels];

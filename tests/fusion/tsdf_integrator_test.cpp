@@ -201,6 +201,66 @@ TEST(TsdfIntegrator, TakesTheWordOfTheFirstThatSeeASurfaceWhereAllWasFree) {
   EXPECT_NEAR(At(map, on_surface).distance_m, 0.075, 0.01);
 }
 
+TEST(TsdfIntegrator, KeepsWhatManyViewsHaveShownWhileHoveringBeforeIt) {
+  AnalyticScene scene;
+  scene.AddHalfSpace(Eigen::Vector3d::UnitZ(), 0.0);
+  scene.AddBox({3, -2, 0}, {5, 2, 3});
+  scene.AddBox({2.4, -2.5, 0}, {2.45, -2.45, 4});
+  TsdfMap map(Grid(), kTruncation_m);
+  TsdfIntegrator integrator(map, WeightPolicy::kBestView);
+  Random random(1);
+  LidarModel model;
+  model.cols = 360;
+  for (int i = 0; i < 60; ++i)
+    integrator.Integrate(scene.Scan(
+        At(4 + 5 * std::cos(0.3 * i), 5 * std::sin(0.3 * i), 2.5 + 0.02 * i, 0.05), model, 1.5e-4, &random));
+  std::vector<VoxelIndex> surface;
+  ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
+    const Voxel voxel = At(map, v);
+    if (voxel.known() && std::abs(voxel.distance_m) < kVoxel_m &&
+        std::abs(scene.Distance(map.grid().Centre(v))) < 0.6 * kVoxel_m)
+      surface.push_back(v);
+  });
+  ASSERT_GT(surface.size(), 1000u);
+  for (int i = 0; i < 700; ++i)
+    integrator.Integrate(scene.Scan(At(-1.5, 3.5, 2.5, 0.05), model, 1.5e-4, &random));
+  const auto lost = std::count_if(surface.begin(), surface.end(), [&](const VoxelIndex& v) {
+    return std::abs(At(map, v).distance_m) >= kVoxel_m;
+  });
+  EXPECT_LT(static_cast<double>(lost), 0.005 * static_cast<double>(surface.size()));
+}
+
+TEST(TsdfIntegrator, LearnsFromNearerLooksWhatManyFromAfarHaveMistaken) {
+  AnalyticScene mistaken, truth;
+  mistaken.AddHalfSpace({-1, 0, 0}, -5.2);
+  truth.AddHalfSpace({-1, 0, 0}, -5.1);
+  TsdfMap map(Grid(), kTruncation_m);
+  TsdfIntegrator integrator(map, WeightPolicy::kBestView);
+  for (int k = 0; k < 200; ++k) integrator.Integrate(mistaken.Scan(At(-3.5, 0.125, 4.125)));
+  for (int k = 0; k < 20; ++k) integrator.Integrate(truth.Scan(At(2, 0.125, 4.125)));
+  EXPECT_NEAR(At(map, Eigen::Vector3d(5.125, 0.125, 4.125)).distance_m, -0.025, 0.015);
+}
+
+TEST(TsdfIntegrator, SeesThroughWhatOneScanAloneHasShown) {
+  AnalyticScene wall, with_thing;
+  for (AnalyticScene* scene : {&wall, &with_thing}) scene->AddHalfSpace({-1, 0, 0}, -8.0);
+  with_thing.AddSphere({3, 0, 4}, 0.6);
+  TsdfMap map(Grid(), kTruncation_m);
+  TsdfIntegrator integrator(map, WeightPolicy::kBestView);
+  integrator.Integrate(with_thing.Scan(At(-5, 0.1, 4.1)));
+  const auto occupied = [&] {
+    int count = 0;
+    ForEachVoxel(map.grid(), [&](const VoxelIndex& v) {
+      const Voxel voxel = At(map, v);
+      count += voxel.known() && voxel.distance_m < kVoxel_m && map.grid().Centre(v).x() < 5;
+    });
+    return count;
+  };
+  EXPECT_GT(occupied(), 30);
+  for (int k = 0; k < 40; ++k) integrator.Integrate(wall.Scan(At(0.02 * k, 0.1, 4.1, 0.01 * k)));
+  EXPECT_EQ(occupied(), 0);
+}
+
 TEST(TsdfIntegrator, CarvesFreeSpaceAlongBeamsWithoutReturnUpToTheirRange) {
   TsdfMap map(Grid(), kTruncation_m);
   TsdfIntegrator(map, WeightPolicy::kBestView).Integrate(AnalyticScene().Scan(At(0, 0, 4)));
