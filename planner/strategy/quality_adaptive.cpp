@@ -30,7 +30,7 @@ InformationGain GainOf(const Situation& situation) {
   std::vector<Element> in_reach;
   for (const Element& element : situation.elements)
     if (views_W.exteriorDistance(element.p_W) <= situation.window.range_max_m()) in_reach.push_back(element);
-  return {situation.map, in_reach, situation.window, situation.eta_m, situation.views.size()};
+  return {situation.map, in_reach, situation.window, situation.eta_m};
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "core/map/planning_map.h"
-#include "planner/view/clear_cells.h"
 #include "planner/view/elements.h"
 #include "planner/view/sensor_window.h"
 #include "planner/view/visibility.h"
@@ -28,9 +28,8 @@ struct Gain {
 /// Evaluates eq. (8) for views, and bounds it from above without looking for what hides elements.
 class InformationGain {
  public:
-  /// @param views about how many will be asked for: for many it prepares what makes each of them faster
   InformationGain(const PlanningMap& map, const std::vector<Element>& elements, const SensorWindow& window,
-                  double eta_m, std::size_t views = 1000);
+                  double eta_m);
 
   Gain Evaluate(const Eigen::Vector3d& view_W) const;
 
@@ -41,18 +40,17 @@ class InformationGain {
     bool averted;          ///< turns its back to the view
     double worth;          ///< h of eq. (9)
   };
-  /// Appends those of a view, in a fixed order.
+  /// Appends those of a view, in a fixed order, but those that are hidden for certain.
   void AppendInWindow(const Eigen::Vector3d& view_W, std::vector<InWindow>& elements) const;
-  /// delta and u of eq. (7) for one of them.
-  Sight Look(const InWindow& element, const Eigen::Vector3d& view_W) const {
-    return LookAt(map_, elements_[element.element], view_W, clear_ ? &*clear_ : nullptr);
-  }
+  /// delta and u of eq. (7) for eight of them.
+  std::array<Sight, 8> Look(const std::array<int, 8>& elements, const Eigen::Vector3d& view_W) const;
   std::size_t num_elements() const { return elements_.size(); }
 
-  /// At least what Evaluate gives, in both numbers. Looks only at the neighbour of each element on the first
-  /// step towards the view: one that is occupied hides an element that turns its back, one that is unknown
-  /// counts in u.
-  Gain Bound(const Eigen::Vector3d& view_W) const;
+  /// At least what Evaluate gives for any view in a box, in both numbers. Looks only at the neighbour of each
+  /// element on the first step towards the views: one that is occupied hides an element that turns its back,
+  /// one that is unknown counts in u.
+  Gain Bound(const Eigen::AlignedBox3d& views_W) const;
+  Gain Bound(const Eigen::Vector3d& view_W) const { return Bound(Eigen::AlignedBox3d(view_W)); }
 
  private:
   struct Bucket {
@@ -60,23 +58,25 @@ class InformationGain {
     int begin, end;
   };
   struct Eight;
+  struct Box;
+  Eight SeenFrom(const Box& views, int first) const;
   template <class Visit>
-  void ForEachNear(const Eigen::Vector3d& view_W, Visit&& visit) const;
+  void ForEachNear(const Eigen::AlignedBox3f& views_W, Visit&& visit) const;
   /// @param visit  void(int first, const Eight&): the elements of near buckets, eight by eight
   template <class Visit>
-  void ForEachEight(const Eigen::Vector3d& view_W, Visit&& visit) const;
+  void ForEachEight(const Eigen::AlignedBox3d& views_W, Visit&& visit) const;
 
   const PlanningMap& map_;
   SensorWindow window_;
   double eta_m_;
   std::vector<Element> elements_;  ///< by bucket, then by voxel
-  std::vector<float> x_, y_, z_;
-  std::vector<float> normal_x_, normal_y_, normal_z_;
-  std::vector<int> backed_,
-      clouded_;  ///< faces behind which lies an occupied, an unknown voxel; one bit each
+  // Their rows: exact, and as floats to bound with.
+  std::array<std::vector<double>, 3> p_W_;
+  std::vector<double> d_star_m_;
+  std::array<std::vector<float>, 3> position_, normal_;
   std::vector<float> near_m_, far_m_;  ///< ends of the interval of viewing distances
+  std::vector<int> backed_, clouded_;  ///< faces with something occupied, unknown behind them; one bit each
   std::vector<Bucket> buckets_;
-  std::optional<ClearCells> clear_;  ///< where many views are asked for
 };
 
 }  // namespace citrine::planner

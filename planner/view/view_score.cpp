@@ -1,13 +1,36 @@
 #include "planner/view/view_score.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <queue>
 
 namespace citrine::planner {
 
 namespace {
 constexpr double kRounding = 1e-9;  ///< far above that of J, which is of the order of one
-constexpr int kLooksAtATime = 64;
+constexpr double kGroup_m = 1.5;    ///< edge of the cubes of space whose views are bounded together
+constexpr double kNoFloor = -std::numeric_limits<double>::infinity();
+constexpr double kTooFew = 1.05;  ///< a view that sees so many times an assumed most_visible belies it
+// What views are looked into at a time while it is counted what they see.
+constexpr int kEffort = 100, kLookEffort = 3, kBoundEffort = 1;
+
+/// The views in each cube of space, one after the other.
+std::vector<std::vector<std::size_t>> Grouped(const std::vector<ViewTerms>& views) {
+  const auto cube_of = [&](std::size_t i) {
+    const Eigen::Array3i cube = (views[i].p_W.array() / kGroup_m).floor().cast<int>();
+    return std::array<int, 3>{cube.x(), cube.y(), cube.z()};
+  };
+  std::vector<std::pair<std::array<int, 3>, std::size_t>> order;
+  for (std::size_t i = 0; i < views.size(); ++i) order.emplace_back(cube_of(i), i);
+  std::sort(order.begin(), order.end());
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || order[k].first != order[k - 1].first) groups.emplace_back();
+    groups.back().push_back(order[k].second);
+  }
+  return groups;
+}
 }  // namespace
 
 BestView::BestView(const InformationGain& gain, std::vector<ViewTerms> views, const ScoreWeights& weights)
@@ -16,8 +39,13 @@ BestView::BestView(const InformationGain& gain, std::vector<ViewTerms> views, co
       weights_(weights),
       suspicion_(gain.num_elements()),
       discarded_(views_.size()) {
-  gain_of_.reserve(views_.size());
-  for (const ViewTerms& view : views_) gain_of_.emplace_back(gain_, view.p_W);
+  for (const ViewTerms& view : views_) gain_of_.emplace_back(view.p_W, Gain());
+  for (const std::vector<std::size_t>& group : Grouped(views_)) {
+    Eigen::AlignedBox3d box_W;
+    for (const std::size_t i : group) box_W.extend(views_[i].p_W);
+    const Gain at_most = gain_.Bound(box_W);
+    for (const std::size_t i : group) gain_of_[i] = PartialGain(views_[i].p_W, at_most);
+  }
 }
 
 BestView::Interval BestView::MostVisibleBounds() const {
@@ -37,15 +65,18 @@ void BestView::CountFurther() {
   std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(sees_less)> queue(sees_less);
   for (std::size_t i = 0; i < views_.size(); ++i)
     if (!gain_of_[i].exact()) queue.push(i);
-  std::size_t promising = 0;
-  for (int look = 0; look < kLooksAtATime && !queue.empty(); ++look) {
+  for (int effort = 0; effort < kEffort && !queue.empty();) {
     const std::size_t view = queue.top();
     queue.pop();
+    effort += gain_of_[view].bounded() ? kLookEffort : kBoundEffort;
     gain_of_[view].LookFurther(gain_, suspicion_);
     if (!gain_of_[view].exact()) queue.push(view);
-    if (look == 0 || gain_of_[view].seen() > gain_of_[promising].seen()) promising = view;
   }
-  if (!gain_of_.empty()) gain_of_[promising].LookToTheEnd(gain_, suspicion_);
+  const auto likely_sees_less = [](const PartialGain& a, const PartialGain& b) {
+    return a.LikelyVisible() < b.LikelyVisible();
+  };
+  if (!queue.empty())
+    std::max_element(gain_of_.begin(), gain_of_.end(), likely_sees_less)->LookToTheEnd(gain_, suspicion_);
 }
 
 int BestView::MostVisible() {
@@ -54,6 +85,10 @@ int BestView::MostVisible() {
     if (bounds.least == bounds.most) return bounds.most;
     CountFurther();
   }
+}
+
+double BestView::Rest(std::size_t view) const {
+  return weights_.beta * views_[view].navigation + weights_.gamma * views_[view].coordination;
 }
 
 double BestView::Total(std::size_t view, int most_visible) const {
@@ -66,7 +101,7 @@ bool BestView::Alike(std::size_t a, std::size_t b) const {
          views_[a].navigation == views_[b].navigation && views_[a].coordination == views_[b].coordination;
 }
 
-std::optional<BestView::Leader> BestView::LeaderIf(int most_visible) {
+std::optional<BestView::Leader> BestView::LeaderIf(int most_visible, double floor) {
   struct Bound {
     double total;
     std::size_t view;
@@ -74,24 +109,31 @@ std::optional<BestView::Leader> BestView::LeaderIf(int most_visible) {
   };
   std::vector<Bound> bounds;
   for (std::size_t i = 0; i < views_.size(); ++i)
-    if (!discarded_[i]) bounds.push_back({Total(i, most_visible), i});
+    if (!discarded_[i] && weights_.alpha + Rest(i) >= floor) bounds.push_back({Total(i, most_visible), i});
   if (bounds.empty()) return std::nullopt;
 
   std::priority_queue<Bound> queue(std::less<Bound>(), std::move(bounds));
+  bool too_few = false;
   const auto exact_on_top = [&] {
     const std::size_t view = queue.top().view;
     if (gain_of_[view].exact()) return true;
     queue.pop();
-    gain_of_[view].LookFurther(gain_, suspicion_);
+    PartialGain& gain = gain_of_[view];
+    gain.LookFurther(gain_, suspicion_);
+    if (gain.LikelyVisible() > kTooFew * most_visible) gain.LookToTheEnd(gain_, suspicion_);
+    too_few = gain.seen() > kTooFew * most_visible;
     queue.push({Total(view, most_visible), view});
     return false;
   };
-  while (!exact_on_top()) {
-  }
+  while (!exact_on_top())
+    if (too_few) return Leader{queue.top().view, false};
   const Bound best = queue.top();
   queue.pop();
   while (!queue.empty() && queue.top().total >= best.total - kRounding) {
-    if (!exact_on_top()) continue;
+    if (!exact_on_top()) {
+      if (too_few) return Leader{best.view, false};
+      continue;
+    }
     if (!Alike(queue.top().view, best.view)) return Leader{best.view, false};
     queue.pop();
   }
@@ -99,13 +141,16 @@ std::optional<BestView::Leader> BestView::LeaderIf(int most_visible) {
 }
 
 std::optional<std::size_t> BestView::Next() {
-  CountFurther();
   for (;;) {
-    const auto [least, most] = MostVisibleBounds();
-    const auto few = LeaderIf(least), many = LeaderIf(most);
-    if (!few) return std::nullopt;
-    if (few->view == many->view && ((few->clearly && many->clearly) || least == most)) return few->view;
     CountFurther();
+    const int most = MostVisibleBounds().most;
+    const std::optional<Leader> many = LeaderIf(most, kNoFloor);
+    if (!many) return std::nullopt;
+    // J_I is 1 at most: what could not win with it need not be looked at.
+    const double floor = Total(many->view, most) - kRounding;
+    const int least = MostVisibleBounds().least;
+    const std::optional<Leader> few = LeaderIf(least, floor);
+    if (few->view == many->view && ((few->clearly && many->clearly) || least == most)) return few->view;
   }
 }
 

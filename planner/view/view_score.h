@@ -30,11 +30,11 @@ struct Score {
 /// Finds the view with the largest J = alpha J_I + beta J_N + gamma J_C (eq. 6) without evaluating all of
 /// them.
 ///
-/// Exact: J_I is bounded by the elements in range and field of view, and the view with the highest bound is
-/// looked into further until it is known to the end and no other can win. The normalising max |ASE_v| of eq.
-/// (8) is only known to lie between a count and a bound; J is linear in its inverse, so a view that is ahead
-/// of another at both ends is ahead in between, and the two are brought together only until one view is ahead
-/// at both. Equal scores: the first in the list.
+/// Exact: J_I is bounded by the elements in range and field of view, first for all views of a cube of space
+/// at once, and the view with the highest bound is looked into further until it is known to the end and no
+/// other can win. The normalising max |ASE_v| of eq. (8) is only known to lie between a count and a bound; J
+/// is linear in its inverse, so a view that is ahead of another at both ends is ahead in between, and the two
+/// are brought together only until one view is ahead at both. Equal scores: the first in the list.
 class BestView {
  public:
   BestView(const InformationGain& gain, std::vector<ViewTerms> views, const ScoreWeights& weights);
@@ -60,9 +60,13 @@ class BestView {
     int least, most;
   };
   Interval MostVisibleBounds() const;
+  /// Brings the bounds on max |ASE_v| together by a little.
   void CountFurther();
-  std::optional<Leader> LeaderIf(int most_visible);
+  /// The best view if max |ASE_v| were so much, of those that reach a total with J_I = 1. It may be any, and
+  /// is not clearly ahead, if a view turns out to see more. nullopt: none is left
+  std::optional<Leader> LeaderIf(int most_visible, double floor);
   double Total(std::size_t view, int most_visible) const;
+  double Rest(std::size_t view) const;  ///< J without J_I
   bool Alike(std::size_t a, std::size_t b) const;
 
   const InformationGain& gain_;

@@ -6,14 +6,7 @@
 
 namespace citrine::planner {
 
-namespace {
-constexpr int kNearSteps =
-    6;  ///< walked before it is asked where the clear rest begins: most that is hidden ends here
-
-}  // namespace
-
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-             const ClearCells* clear) {
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const VoxelGrid& grid = map.grid();
   const VoxelIndex end = grid.IndexOf(view_W);
@@ -40,12 +33,9 @@ Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector
   const std::uint8_t* const states = map.states().data();
   auto at = static_cast<std::ptrdiff_t>(element.linear);
   bool touching = true;
-  double clear_from = kNever;
   Sight sight;
   for (int i = 1; i < steps; ++i) {
     const int axis = next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
-    if (i == kNearSteps && clear) clear_from = clear->ClearFrom(element.p_W, view_W);
-    if (next[axis] >= clear_from) break;
     at += step[axis];
     next[axis] = --left[axis] == 0 ? kNever : next[axis] + stride[axis];
     const std::uint8_t state = states[at];

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
+
 #include <Eigen/Core>
 
 #include "core/map/planning_map.h"
-#include "planner/view/clear_cells.h"
 #include "planner/view/elements.h"
 
 namespace citrine::planner {
@@ -20,9 +21,11 @@ struct Sight {
 /// The element's own voxel and the view's occlude nothing. Voxels that touch the element (the 26 around it)
 /// belong to the same surface: occupied ones do not occlude it from a view in front of it, that is where
 /// normal . (view - element) > 0. A view outside the grid sees nothing.
-/// @param clear of the same map: makes it faster and changes nothing; may be null
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
-             const ClearCells* clear = nullptr);
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W);
+
+/// The same for eight elements at once, which is faster.
+std::array<Sight, 8> LookAtEight(const PlanningMap& map, const std::array<const Element*, 8>& elements,
+                                 const Eigen::Vector3d& view_W);
 
 /// exp(-u): the probability that nothing unknown hides the element (eq. 7).
 double ClearProbability(int unknown);
