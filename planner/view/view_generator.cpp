@@ -37,6 +37,8 @@ ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window,
       window_(window),
       safe_(std::move(safe)),
       options_(options),
+      stride_(std::max(1, static_cast<int>(std::lround(kLattice_m / map.grid().voxel_m())))),
+      lattice_(static_cast<std::size_t>(stride_ * stride_ * stride_)),
       lowest_rad_(-window.elevation_max_rad()),
       highest_rad_(-window.elevation_min_rad()) {
   const double low = lowest_rad_ + kDegree, high = highest_rad_ - kDegree;
@@ -103,35 +105,41 @@ std::optional<View> ViewGenerator::Around(const Element& element) const {
   return std::nullopt;
 }
 
+const std::vector<ViewGenerator::LatticePose>& ViewGenerator::LatticeAround(const VoxelIndex& voxel) const {
+  const Eigen::Array3i phase = voxel.array() - voxel.array() / stride_ * stride_;
+  std::vector<LatticePose>& poses = lattice_[phase.x() + stride_ * (phase.y() + stride_ * phase.z())];
+  if (!poses.empty()) return poses;
+  const double voxel_m = map_.grid().voxel_m();
+  const int reach = (static_cast<int>(window_.range_max_m() / voxel_m) / stride_ + 1) * stride_;
+  Eigen::Vector3i off;  // of the pose from the element
+  for (off.z() = -reach - phase.z(); off.z() <= reach; off.z() += stride_)
+    for (off.y() = -reach - phase.y(); off.y() <= reach; off.y() += stride_)
+      for (off.x() = -reach - phase.x(); off.x() <= reach; off.x() += stride_) {
+        const Eigen::Vector3d to = (-off).cast<double>() * voxel_m;
+        if (window_.Sees(to)) poses.push_back({off.cast<std::int16_t>(), to.norm()});
+      }
+  return poses;
+}
+
 std::optional<View> ViewGenerator::Search(const Element& element) const {
   const VoxelGrid& grid = map_.grid();
-  const int stride = std::max(1, static_cast<int>(std::lround(kLattice_m / grid.voxel_m())));
   const double useful = UsefulRange(element);
   const double best_distance = Distances(element)[0].first;
-  const int reach = static_cast<int>(useful / grid.voxel_m()) + 1;
-  const VoxelIndex lo = (element.voxel.array() - reach).max(grid.inside_min().array());
-  const VoxelIndex hi = (element.voxel.array() + reach + 1).min(grid.inside_max().array());
-  const auto first = [&](int axis) { return (lo[axis] + stride - 1) / stride * stride; };
-
   std::optional<View> best;
   std::pair<int, double> best_cost{1 << 20, 0};
-  VoxelIndex v;
-  for (v.z() = first(2); v.z() < hi.z(); v.z() += stride)
-    for (v.y() = first(1); v.y() < hi.y(); v.y() += stride)
-      for (v.x() = first(0); v.x() < hi.x(); v.x() += stride) {
-        const Eigen::Vector3d to = (element.voxel - v).cast<double>() * grid.voxel_m();
-        const double distance = to.norm();
-        if (distance > useful || distance < window_.range_min_m() || !window_.InFieldOfView(to)) continue;
-        const double off = std::abs(distance - best_distance);
-        if (best && best_cost.first == 0 && off >= best_cost.second) continue;
-        const Eigen::Vector3d p_W = grid.Centre(v);
-        if (!safe_(p_W)) continue;
-        const Sight sight = LookAt(map_, element, p_W);
-        const std::pair<int, double> cost{sight.unknown, off};
-        if (!sight.clear || cost >= best_cost) continue;
-        best = Make(p_W, element, View::Kind::kAround);
-        best_cost = cost;
-      }
+  for (const LatticePose& pose : LatticeAround(element.voxel)) {
+    const VoxelIndex v = element.voxel + pose.off.cast<int>();
+    if (pose.distance_m > useful || !grid.Inside(v)) continue;
+    const double off = std::abs(pose.distance_m - best_distance);
+    if (best && best_cost.first == 0 && off >= best_cost.second) continue;
+    const Eigen::Vector3d p_W = grid.Centre(v);
+    if (!safe_(p_W)) continue;
+    const Sight sight = LookAt(map_, element, p_W);
+    const std::pair<int, double> cost{sight.unknown, off};
+    if (!sight.clear || cost >= best_cost) continue;
+    best = Make(p_W, element, View::Kind::kAround);
+    best_cost = cost;
+  }
   return best;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -56,6 +57,14 @@ class ViewGenerator {
 
  private:
   std::array<std::pair<double, View::Kind>, 3> Distances(const Element& element) const;
+  /// A pose of the lattice that has an element in range and field of view.
+  struct LatticePose {
+    Eigen::Matrix<std::int16_t, 3, 1> off;  ///< from the element [voxels]
+    double distance_m;
+  };
+  /// All of them around an element, in order of z, y, x. Made when first asked for, once for each way in
+  /// which a voxel can lie to the lattice.
+  const std::vector<LatticePose>& LatticeAround(const VoxelIndex& voxel) const;
   Eigen::Vector3d Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W,
                          double margin_rad) const;
 
@@ -63,6 +72,8 @@ class ViewGenerator {
   SensorWindow window_;
   Safe safe_;
   Options options_;
+  int stride_;  ///< of the lattice [voxels]
+  mutable std::vector<std::vector<LatticePose>> lattice_;
   double lowest_rad_, highest_rad_;  ///< elevation of a view seen from its element
   std::array<Eigen::Vector3d, 64> fan_;
 };

@@ -97,6 +97,49 @@ TEST_F(ViewGeneratorTest, LooksAroundWhereTheNormalIsBlockedAndSearchesWhereTheF
   EXPECT_FALSE(Make([](const auto&) { return false; }).Search(element));
 }
 
+TEST_F(ViewGeneratorTest, SearchFindsTheBestOfAllSafePosesOfTheLattice) {
+  testing::RandomMap world(31);
+  ActiveSurface surface(world.map.grid(), world.map.quantisation(), QualityGoals());
+  surface.Update(world.map);
+  const std::vector<Element> elements = ListElements(world.map, surface, [](std::uint32_t) { return false; });
+  const auto safe = [](const Eigen::Vector3d& p_W) {
+    return std::sin(3 * p_W.x()) + std::cos(2 * p_W.y()) > 1;
+  };
+  const ViewGenerator generator(world.map, window, safe, {});
+  const VoxelGrid& map_grid = world.map.grid();
+  int found = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    Element e = elements[world.random().Below(static_cast<std::uint32_t>(elements.size()))];
+    e.attempts = trial % 2;
+    const double ideal_m = e.attempts > 0 ? 0.6 * (4.5 - 0.5) : 4.5 - 0.25;
+    std::optional<Eigen::Vector3d> expected_W;
+    std::pair<int, double> least{1 << 20, 0};
+    VoxelIndex v;
+    for (v.z() = 0; v.z() < map_grid.inside_max().z(); v.z() += 2)
+      for (v.y() = 0; v.y() < map_grid.inside_max().y(); v.y() += 2)
+        for (v.x() = 0; v.x() < map_grid.inside_max().x(); v.x() += 2) {
+          const Eigen::Vector3d p_W = map_grid.Centre(v);
+          const double distance_m = (e.p_W - p_W).norm();
+          if (!map_grid.Inside(v) || !window.Sees(e.p_W - p_W) || distance_m > generator.UsefulRange(e))
+            continue;
+          const Sight sight = LookAt(world.map, e, p_W);
+          const std::pair<int, double> cost{sight.unknown, std::abs(distance_m - ideal_m)};
+          if (!safe(p_W) || !sight.clear || cost.first > least.first) continue;
+          if (cost.first == least.first && cost.second > least.second - 1e-9) continue;
+          expected_W = p_W, least = cost;
+        }
+    const std::optional<View> view = generator.Search(e);
+    ASSERT_EQ(view.has_value(), expected_W.has_value());
+    if (!view) continue;
+    // Of poses that are equally far off up to rounding it may be another one.
+    EXPECT_EQ(LookAt(world.map, e, view->p_W).unknown, least.first);
+    EXPECT_NEAR(std::abs((e.p_W - view->p_W).norm() - ideal_m), least.second, 1e-8);
+    EXPECT_TRUE(safe(view->p_W));
+    ++found;
+  }
+  EXPECT_GT(found, 20);
+}
+
 TEST_F(ViewGeneratorTest, MakesNoViewFromWhereNothingCanBeGained) {
   element.kind = SurfaceClass::kLqse;
   element.weight = 1 / (6.0 * 6.0);  // seen from 6 m

@@ -16,13 +16,15 @@ TEST(BestView, IsTheArgumentOfTheMaximumThatAPlainDoubleLoopFinds) {
         ListElements(world.map, surface, [](std::uint32_t v) { return v % 5 != 0; });
     const SensorWindow window{LidarModel()};
     const InformationGain gain(world.map, elements, window, 0.5);
-    for (const double alpha : {1.0, 4.0}) {
+    for (const double alpha : {0.25, 1.0, 4.0}) {
       std::vector<ViewTerms> views(80);
       for (ViewTerms& view : views) {
         view.p_W = world.Point({12, 10, 8});
         view.navigation = world.random().Uniform();
         view.coordination = world.random().Below(3) / 2.0;
       }
+      for (std::size_t i = 1; i < views.size(); i += 2)  // as neighbours share a bound
+        views[i].p_W = views[i - 1].p_W + world.Point({0.4, 0.4, 0.4});
       views[17] = views[5];  // a tie
       const ScoreWeights weights{alpha, 1, 2};
 
