@@ -12,6 +12,7 @@ constexpr double kRounding = 1e-9;  ///< far above that of J, which is of the or
 constexpr double kGroup_m = 1.5;    ///< edge of the cubes of space whose views are bounded together
 constexpr double kNoFloor = -std::numeric_limits<double>::infinity();
 constexpr double kTooFew = 1.05;  ///< a view that sees so many times an assumed most_visible belies it
+constexpr int kHardRound = 4;     ///< in which it is sought everywhere for what sees most
 // What views are looked into at a time while it is counted what they see.
 constexpr int kEffort = 100, kLookEffort = 3, kBoundEffort = 1;
 
@@ -45,6 +46,7 @@ BestView::BestView(const InformationGain& gain, std::vector<ViewTerms> views, co
     for (const std::size_t i : group) box_W.extend(views_[i].p_W);
     const Gain at_most = gain_.Bound(box_W);
     for (const std::size_t i : group) gain_of_[i] = PartialGain(views_[i].p_W, at_most);
+    one_of_each_cube_.push_back(group[group.size() / 2]);
   }
 }
 
@@ -77,6 +79,13 @@ void BestView::CountFurther() {
   };
   if (!queue.empty())
     std::max_element(gain_of_.begin(), gain_of_.end(), likely_sees_less)->LookToTheEnd(gain_, suspicion_);
+}
+
+void BestView::LookEverywhere() {
+  const int least = MostVisibleBounds().least;
+  for (const std::size_t view : one_of_each_cube_)
+    for (int look = 0; look < 2 && gain_of_[view].at_most().visible > least; ++look)
+      gain_of_[view].LookFurther(gain_, suspicion_);
 }
 
 int BestView::MostVisible() {
@@ -141,7 +150,8 @@ std::optional<BestView::Leader> BestView::LeaderIf(int most_visible, double floo
 }
 
 std::optional<std::size_t> BestView::Next() {
-  for (;;) {
+  for (int round = 1;; ++round) {
+    if (round == kHardRound) LookEverywhere();
     CountFurther();
     const int most = MostVisibleBounds().most;
     const std::optional<Leader> many = LeaderIf(most, kNoFloor);

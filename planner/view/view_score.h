@@ -62,6 +62,8 @@ class BestView {
   Interval MostVisibleBounds() const;
   /// Brings the bounds on max |ASE_v| together by a little.
   void CountFurther();
+  /// Begins with a view in each cube of space, as what sees most need not be what is bounded by most.
+  void LookEverywhere();
   /// The best view if max |ASE_v| were so much, of those that reach a total with J_I = 1. It may be any, and
   /// is not clearly ahead, if a view turns out to see more. nullopt: none is left
   std::optional<Leader> LeaderIf(int most_visible, double floor);
@@ -73,6 +75,7 @@ class BestView {
   std::vector<ViewTerms> views_;
   ScoreWeights weights_;
   std::vector<PartialGain> gain_of_;
+  std::vector<std::size_t> one_of_each_cube_;
   Suspicion suspicion_;
   std::vector<bool> discarded_;
 };
