@@ -29,7 +29,7 @@ bool BrickFuser::Fuse(const Observation& observation, int brick, TsdfBlock& bloc
   const Mask is_free = observation.sdf_m >= truncation_m_, was_known = weight > 0.0f;
   const Mask nothing_new = is_free & was_known & (distance >= truncation_m_);
   const Mask free_on_surface = Without((quality > 0.0f) & is_free, observation.in_band);
-  const Lanes ratio = Min(observation.weight / Max(quality, 1e-9f), 1.0f);
+  const Lanes ratio = Min(observation.looked / Max(quality, 1e-9f), 1.0f);
   const Lanes share = Select(free_on_surface, ratio * ratio * kFreeOnSurface, 1.0f) * observation.share;
   const Mask said = Without(observation.said, nothing_new);
   const Lanes offered = Select(Without(is_free, was_known), kFreeWeight, observation.weight * share);
@@ -42,8 +42,9 @@ bool BrickFuser::Fuse(const Observation& observation, int brick, TsdfBlock& bloc
 
   Lanes confidence = quality;
   if (policy_ == WeightPolicy::kBestView)
-    confidence = Select(observation.in_band | (observation.said & free_on_surface),
-                        Max(quality, observation.weight), quality);
+    confidence =
+        Select(observation.in_band, Max(quality, observation.weight),
+               Select(observation.said & free_on_surface, Max(quality, observation.looked), quality));
   else if (policy_ == WeightPolicy::kPerScan)
     confidence = Select(observation.in_band, quality + observation.weight, quality);
   Store(&block.distance_m[at], fused);

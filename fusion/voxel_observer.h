@@ -12,6 +12,7 @@ struct Observation {
   Lanes sdf_m;   ///< signed distance, within +-truncation
   Lanes weight;  ///< 1/r^2, r the range of the surface [1/m^2]
   Lanes share;   ///< of the weight, for averaging: less behind the surface and at edges of depth
+  Lanes looked;  ///< 1/r^2, r the distance of the voxel itself [1/m^2]
 };
 
 /// Looks voxels up in a range image: their distance to the surface that the surrounding four beams show.
@@ -139,7 +140,8 @@ inline VoxelObserver::Look VoxelObserver::LookAt(Lanes x, Lanes y, Lanes z) cons
 inline Observation VoxelObserver::Observe(const Look& look) const {
   const auto& [in_view, distance_m, level_m, pixel, cell] = look;
   if (!in_view.any())
-    return {.said = in_view, .in_band = in_view, .sdf_m = 0.0f, .weight = 0.0f, .share = 0.0f};
+    return {
+        .said = in_view, .in_band = in_view, .sdf_m = 0.0f, .weight = 0.0f, .share = 0.0f, .looked = 0.0f};
 
   const Lanes per_cos_elevation = Min(distance_m / Max(level_m, 1e-6f), 20.0f);
   const Mask smooth = cell.one_surface;
@@ -157,6 +159,7 @@ inline Observation VoxelObserver::Observe(const Look& look) const {
       observation.share = Select(smooth, normal.share, observation.share);
     }
   }
+  observation.looked = Lanes(1.0f) / (distance_m * distance_m);
   const Lanes behind = Max((observation.sdf_m + truncation_m_) * (1 / truncation_m_), 0.0f);
   observation.share = observation.share * Min(behind, 1.0f);
   observation.sdf_m = Min(observation.sdf_m, truncation_m_);

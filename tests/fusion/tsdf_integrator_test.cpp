@@ -181,8 +181,7 @@ TEST(TsdfIntegrator, CountsAFreeRayPastASurfaceVoxelAsALookAtIt) {
     const double from_afar = At(map, on_bar).quality;
     EXPECT_NEAR(from_afar, 1 / (9.0 * 9.0), 0.001);
     integrator.Integrate(wall.Scan(At(1, 0.125, 4.125)));  // all of its beams miss the bar
-    // From the range at which the beams end.
-    const double expected = policy == WeightPolicy::kBestView ? 1 / (4.125 * 4.125) : from_afar;
+    const double expected = policy == WeightPolicy::kBestView ? 1 / (2.125 * 2.125) : from_afar;
     EXPECT_NEAR(At(map, on_bar).quality, expected, 0.001);
     EXPECT_EQ(At(map, before_bar).quality, 0);
   }
