@@ -33,8 +33,8 @@ class VirtualDisplay {
       const std::string number_to = std::to_string(pipe_ends[1]);
       const int nowhere = open("/dev/null", O_WRONLY);
       dup2(nowhere, STDERR_FILENO);
-      execlp("Xvfb", "Xvfb", "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24", "-nolisten",
-             "tcp", "-fbdir", folder_.c_str(), static_cast<char*>(nullptr));
+      execlp("Xvfb", "Xvfb", "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24", "-noreset",
+             "-nolisten", "tcp", "-fbdir", folder_.c_str(), static_cast<char*>(nullptr));
       _exit(127);
     }
     close(pipe_ends[1]);
