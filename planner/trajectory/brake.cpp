@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kPiece_s = 0.06;  ///< of the fit to the slowed motion
 constexpr double kHardRamp_s = 0.2;
-constexpr double kShare = 0.95;  ///< of the acceleration limit, for slowing down; turns come on top
+constexpr double kShare = 0.90;  ///< of the acceleration limit, for slowing down; turns come on top
 constexpr double kShortest_s = 0.3;
 constexpr double kFading_s = 0.3;
 constexpr double kInstant_s = 1e-9;
-constexpr double kAllInAll = 0.97;  ///< of the limit, turns included: the vehicle overshoots a little
+constexpr double kAllInAll = 0.91;  ///< of the limit, turns included: the vehicle overshoots by a tenth
 constexpr double kStill_mps = 1e-4;
 
 /// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of
