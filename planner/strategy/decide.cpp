@@ -16,6 +16,7 @@ constexpr double kGoalsApart_m = 0.5;  ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
 constexpr double kStandOff_s = 3.0;        ///< until a view that an idle mate stands by is asked for again
 constexpr double kWarmUp_s = 3.0;          ///< before it the map is too young to say that nothing is left
+constexpr int kLooksEnough = 3;            ///< in passing, that should each have settled an element
 constexpr std::size_t kLeftToMates = 100;  ///< elements nearer to mates that are still at work
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
@@ -86,6 +87,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   const auto kept = std::remove_if(prospect.elements.begin(), prospect.elements.end(), is_taken);
   prospect.some_taken = kept != prospect.elements.end();
   prospect.elements.erase(kept, prospect.elements.end());
+  LeaveWhatWasSeen(prospect.elements, now);
   for (Element& element : prospect.elements) element.attempts = memory_.Attempts(element.linear);
 
   const bool per_cell = config_.planner.views == "per_cell";
@@ -100,7 +102,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
 
 bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const {
   if (config_.planner.candidates == "all" || config_.planner.strategy != "quality_adaptive") return false;
-  std::vector<Element> mine = Mine(prospect, p_W, now);
+  std::vector<Element> mine = Mine(prospect, p_W);
   if (mine.empty()) {
     const bool mates_work = std::any_of(prospect.others.begin(), prospect.others.end(),
                                         [](const FleetView::Other& other) { return other.has_goal; });
@@ -125,19 +127,25 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
   return false;
 }
 
-std::vector<Element> ViewPlanner::Mine(const Prospect& prospect, const Eigen::Vector3d& p_W,
-                                       Utime now) const {
-  std::vector<Element> nearest, of_region;
-  const FleetAssignment* correction = correction_.Current(now);
+void ViewPlanner::LeaveWhatWasSeen(std::vector<Element>& elements, Utime now) {
+  const Utime before = now - looks_.settle_time();
+  const auto was_seen = [&](const Element& e) {
+    if (e.kind != SurfaceClass::kLqse || flown_.Looks(map_, e, window_, before) < kLooksEnough) return false;
+    memory_.GiveUp(map_, e.linear);
+    return true;
+  };
+  elements.erase(std::remove_if(elements.begin(), elements.end(), was_seen), elements.end());
+}
+
+std::vector<Element> ViewPlanner::Mine(const Prospect& prospect, const Eigen::Vector3d& p_W) const {
+  std::vector<Element> mine;
   for (const Element& element : prospect.elements) {
     const auto nearer = [&](const FleetView::Other& other) {
       return (other.x_W() - element.p_W).norm() < (p_W - element.p_W).norm();
     };
-    if (std::none_of(prospect.others.begin(), prospect.others.end(), nearer)) nearest.push_back(element);
-    if (correction && VoronoiCell(element.p_W, correction->centroid_W_by_uav) == uav_ - 1)
-      of_region.push_back(element);
+    if (std::none_of(prospect.others.begin(), prospect.others.end(), nearer)) mine.push_back(element);
   }
-  return nearest.empty() ? of_region : nearest;
+  return mine;
 }
 
 void ViewPlanner::RememberLook(const Eigen::Vector3d& p_W, const View* at, Utime now) {

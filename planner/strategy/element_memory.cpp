@@ -50,7 +50,7 @@ void ElementMemory::Update(const PlanningMap& map, const ActiveSurface& surface)
       ++record.returns;
       record.attempts = record.blocked = 0;
     }
-    const bool forget = settled && record.returns == 0;
+    const bool forget = settled && record.returns == 0 && record.attempts == 0;
     it = forget ? records_.erase(it) : std::next(it);
   }
 }
@@ -80,9 +80,11 @@ ElementMemory::Before ElementMemory::Note(const PlanningMap& map, std::uint32_t 
 void ElementMemory::Judge(const PlanningMap& map, const ActiveSurface& surface, const Before& before) {
   const std::uint32_t linear = before.linear;
   if (surface.At(linear) < SurfaceClass::kLqse || (flags_[linear] & kGivenUp)) return;
-  if (map.weight_code(linear) > before.weight_code || Around(map, linear) != before.around) return;
+  const bool incomplete = surface.At(linear) == SurfaceClass::kIse;
+  if (map.weight_code(linear) > before.weight_code) return;
+  if (incomplete && Around(map, linear) != before.around) return;
   Record& record = records_[linear];
-  if (++record.attempts >= kAttemptsMax) GiveUp(map, linear, record);
+  if (++record.attempts >= kAttemptsMax) GiveUp(map, linear);
 }
 
 int ElementMemory::Attempts(std::uint32_t linear) const {
@@ -93,12 +95,13 @@ int ElementMemory::Attempts(std::uint32_t linear) const {
 void ElementMemory::CountBlocked(const PlanningMap& map, std::uint32_t linear) {
   if (flags_[linear] & kGivenUp) return;
   Record& record = records_[linear];
-  if (++record.blocked >= kBlockedMax) GiveUp(map, linear, record);
+  if (++record.blocked >= kBlockedMax) GiveUp(map, linear);
 }
 
-void ElementMemory::GiveUp(const PlanningMap& map, std::uint32_t linear, Record& record) {
+void ElementMemory::GiveUp(const PlanningMap& map, std::uint32_t linear) {
+  if (flags_[linear] & kGivenUp) return;
   flags_[linear] |= kGivenUp;
-  record.around = Around(map, linear);
+  records_[linear].around = Around(map, linear);
   ++given_up_;
 }
 

@@ -15,10 +15,10 @@ namespace citrine::planner {
 /// What a planner remembers of elements that do not yield: which were looked at in vain, which nothing
 /// reachable sees.
 ///
-/// Given up: two looks, each of which should have settled the element, changed neither its weight nor the
-/// classes of the 27 voxels around it. It comes back when one of those classes changes, once:
-/// noise may make a class flicker for ever. Unreachable: no safe, connected pose sees it with use; tested
-/// again once an unknown voxel within the sensor's range has become known.
+/// Given up: two looks, each of which should have settled the element, did not raise its weight; nor, where
+/// something unknown is near it, change the classes of the 27 voxels around it. It comes back when one of
+/// those classes changes, once: noise may make a class flicker for ever. Unreachable: no safe, connected pose
+/// sees it with use; tested again once an unknown voxel within the sensor's range has become known.
 class ElementMemory {
  public:
   ElementMemory(const VoxelGrid& grid, double range_max_m);
@@ -44,6 +44,8 @@ class ElementMemory {
   /// Counts a goal for this element that was blocked or had no way; after three it is given up.
   void CountBlocked(const PlanningMap& map, std::uint32_t linear);
 
+  /// Takes an element out that has been looked at in vain.
+  void GiveUp(const PlanningMap& map, std::uint32_t linear);
   void MarkUnreachable(std::uint32_t linear, std::int64_t revision);
   /// Puts all verdicts older than a map revision up for a new test. @return how many
   int RetestBefore(std::int64_t revision);
@@ -64,7 +66,6 @@ class ElementMemory {
     std::optional<View> fallback;
   };
   std::uint64_t Around(const PlanningMap& map, std::uint32_t linear) const;
-  void GiveUp(const PlanningMap& map, std::uint32_t linear, Record& record);
   void SpreadDiscoveries(const ActiveSurface& surface);
 
   VoxelGrid grid_;

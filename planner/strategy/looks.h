@@ -25,6 +25,7 @@ class Looks {
   /// Adds the voxels of all elements under judgement.
   void AppendTo(std::vector<std::uint32_t>& voxels) const;
   bool empty() const { return looks_.empty(); }
+  Utime settle_time() const { return settle_; }
 
  private:
   struct Look {

@@ -38,6 +38,7 @@ ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap
                  {config.quality.eta_m, config.map.weight_policy != "best_view"}),
       memory_(map.grid(), config.lidar.model.range_max_m),
       looks_(SettleTime(config)),
+      flown_(config.mission.uavs),
       fleet_(uav, config.mission.uavs),
       correction_(uav, config.planner.corrected_selections, config.planner.correction_expiry_s),
       strategy_(MakeStrategy(config.planner)) {}
@@ -45,6 +46,7 @@ ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap
 ViewPlanner::~ViewPlanner() = default;
 
 void ViewPlanner::HearState(int uav, const UavState& state, Utime now) {
+  flown_.Add(uav, state.X_WB, now);
   if (uav == uav_)
     state_ = state;
   else

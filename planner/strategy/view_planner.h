@@ -19,6 +19,7 @@
 #include "planner/strategy/candidate_views.h"
 #include "planner/strategy/decision.h"
 #include "planner/strategy/element_memory.h"
+#include "planner/strategy/flown_poses.h"
 #include "planner/strategy/looks.h"
 #include "planner/strategy/strategy.h"
 
@@ -131,8 +132,10 @@ class ViewPlanner {
   /// Replaces the views by those that settle most of the patch that is next on this UAV's tour. false: there
   /// are none
   bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
-  /// The elements to which no mate is nearer; where there are none, those of this UAV's region.
-  std::vector<Element> Mine(const Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
+  /// Gives up and takes out what the fleet, flying past, has looked at in vain.
+  void LeaveWhatWasSeen(std::vector<Element>& elements, Utime now);
+  /// The elements to which no mate is nearer.
+  std::vector<Element> Mine(const Prospect& prospect, const Eigen::Vector3d& p_W) const;
   /// Whether a voxel is an element that is still to be seen.
   bool Active(std::uint32_t voxel) const;
   bool MayStand(const Eigen::Vector3d& p_W) const;
@@ -150,6 +153,7 @@ class ViewPlanner {
   ViewGenerator generator_;
   ElementMemory memory_;
   Looks looks_;
+  FlownPoses flown_;
   FleetView fleet_;
   FleetCorrection correction_;
   std::unique_ptr<Strategy> strategy_;

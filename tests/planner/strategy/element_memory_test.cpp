@@ -54,6 +54,20 @@ TEST_F(ElementMemoryTest, TakesAnElementBackWhenTheClassesAroundItChange) {
   EXPECT_EQ(memory.given_up(), 0);
 }
 
+TEST_F(ElementMemoryTest, GivesUpASurfaceThatLooksDoNotRaiseThoughClassesAroundItFlicker) {
+  for (const std::uint32_t voxel : surface.elements()) {
+    if (surface.At(voxel) != SurfaceClass::kLqse) continue;
+    ElementMemory::Before before = memory.Note(world.map, voxel);
+    ++before.around;
+    memory.Judge(world.map, surface, before);
+    EXPECT_EQ(memory.Attempts(voxel), 1);
+    memory.Judge(world.map, surface, before);
+    EXPECT_TRUE(memory.Skips(voxel));
+    return;
+  }
+  FAIL() << "no LQSE";
+}
+
 TEST_F(ElementMemoryTest, ALookThatRaisedTheWeightIsNotInVain) {
   for (const std::uint32_t voxel : surface.elements()) {
     if (surface.At(voxel) != SurfaceClass::kLqse) continue;
