@@ -130,7 +130,8 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
 void ViewPlanner::LeaveWhatWasSeen(std::vector<Element>& elements, Utime now) {
   const Utime before = now - looks_.settle_time();
   const auto was_seen = [&](const Element& e) {
-    if (e.kind != SurfaceClass::kLqse || flown_.Looks(map_, e, window_, before) < kLooksEnough) return false;
+    if (e.kind != SurfaceClass::kLqse) return false;
+    if (flown_.Looks(map_, e, window_, before, kLooksEnough) < kLooksEnough) return false;
     memory_.GiveUp(map_, e.linear);
     return true;
   };

@@ -17,10 +17,10 @@ void FlownPoses::Add(int uav, const Pose& X_WB, Utime now) {
 }
 
 int FlownPoses::Looks(const PlanningMap& map, const Element& element, const SensorWindow& window,
-                      Utime before) const {
+                      Utime before, int enough) const {
   int looks = 0;
   for (const Flown& flown : flown_) {
-    if (flown.at >= before) break;
+    if (flown.at >= before || looks == enough) break;
     const Eigen::Vector3d to = element.p_W - flown.X_WB.p;
     if (to.squaredNorm() > element.d_star_m * element.d_star_m) continue;
     if (!window.InFieldOfView(flown.X_WB.q.conjugate() * to)) continue;

@@ -16,8 +16,10 @@ class FlownPoses {
   explicit FlownPoses(int uavs) : last_W_(static_cast<std::size_t>(uavs), Eigen::Vector3d::Constant(1e9)) {}
 
   void Add(int uav, const Pose& X_WB, Utime now);
-  /// How many of the poses before a time should have settled an element (WellSeen), tilted as the UAV was.
-  int Looks(const PlanningMap& map, const Element& element, const SensorWindow& window, Utime before) const;
+  /// How many of the poses before a time should have settled an element (WellSeen), tilted as the UAV was;
+  /// counted up to `enough`.
+  int Looks(const PlanningMap& map, const Element& element, const SensorWindow& window, Utime before,
+            int enough) const;
 
  private:
   struct Flown {

@@ -20,7 +20,9 @@ class FlownPosesTest : public testing::Test {
     element.normal_W = -Vector3d::UnitX();
     element.d_star_m = 4.5;
   }
-  int Looks(Utime before) const { return flown.Looks(map, element, window, before); }
+  int Looks(Utime before, int enough = 100) const {
+    return flown.Looks(map, element, window, before, enough);
+  }
 
   PlanningMap map = MapOf({12, 12, 8}, [](const Vector3d& p) { return 8 - p.x(); });
   SensorWindow window{LidarModel()};
@@ -34,6 +36,7 @@ TEST_F(FlownPosesTest, CountsPosesHalfAMetreApartFromWhichALookShouldHaveSettled
   for (double y = 3; y < 9.01; y += 0.5) expected += WellSeen(map, element, window, {4.5, y, 4});
   EXPECT_GT(expected, 5);
   EXPECT_NEAR(Looks(1000), expected, 1);  // steps of a tenth add up to half a metre with rounding
+  EXPECT_EQ(Looks(1000, 3), 3);
   EXPECT_EQ(Looks(0), 0);
   EXPECT_LT(Looks(30), Looks(1000));
 }
