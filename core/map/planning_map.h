@@ -66,7 +66,8 @@ class PlanningMap {
   double weight(std::size_t linear) const { return quantisation_.Weight(weight_[linear]); }
 
   /// [m] to the centre of the nearest voxel that is known and d < kSiteBelow_vox d_s. Over by half a voxel at
-  /// most, at edges; before flat surfaces under by a third of a voxel on average and a voxel at most.
+  /// most, nearer than 0.3 m to an edge by half the diagonal of one; before flat surfaces under by a third of
+  /// a voxel on average and a voxel at most.
   const DistanceField& to_occupied() const { return to_occupied_; }
   /// [m] to the nearest unknown voxel inside the mission volume.
   const DistanceField& to_unknown() const { return to_unknown_; }
