@@ -128,13 +128,13 @@ void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint
 
 }  // namespace
 
-DistanceField::DistanceField(const VoxelGrid& grid, int radius_vox)
-    : grid_(grid), radius_vox_(radius_vox), metres_(radius_vox * radius_vox + 1) {
+DistanceField::DistanceField(const VoxelGrid& grid, int radius_vox, double caution_m)
+    : grid_(grid), radius_vox_(radius_vox), caution_m_(caution_m), metres_(radius_vox * radius_vox + 1) {
   if (radius_vox < 1 || radius_vox > 181)
     throw std::invalid_argument("a distance field reaches 1..181 voxels");
   squared_.assign(grid.num_voxels(), static_cast<std::uint16_t>(radius_vox * radius_vox));
   for (std::size_t i = 0; i < metres_.size(); ++i)
-    metres_[i] = static_cast<float>(std::sqrt(static_cast<double>(i)) * grid.voxel_m());
+    metres_[i] = static_cast<float>(std::sqrt(static_cast<double>(i)) * grid.voxel_m() - caution_m);
 }
 
 void DistanceField::Update(const std::vector<std::uint8_t>& is_site, const VoxelIndex& min,

@@ -28,7 +28,7 @@ PlanningMap::PlanningMap(const VoxelGrid& grid, const Quantisation& quantisation
       unknown_site_(grid.num_voxels(), 0),
       version_(grid.num_blocks(), 0),
       never_unknown_(grid.num_voxels(), 1),
-      to_occupied_(grid, Voxels(kOccupiedReach_m, grid)),
+      to_occupied_(grid, Voxels(kOccupiedReach_m, grid), kCaution_vox * grid.voxel_m()),
       to_unknown_(grid, Voxels(kUnknownReach_m, grid)) {
   for (int code = 1; code < 256; ++code) {
     const double distance_m = quantisation.Distance(static_cast<std::uint8_t>(code));

@@ -31,9 +31,11 @@ class PlanningMap {
   static constexpr double kOccupiedReach_m = 3.0;
   static constexpr double kUnknownReach_m = 1.5;
 
-  /// Voxels nearer to the surface than this count as obstacles [voxels]. With 0.5 those that the surface
-  /// passes would, but at an edge the centre of the next such voxel may lie 0.9 voxel behind it.
-  static constexpr double kSiteBelow_vox = 0.8;
+  /// Voxels nearer to the surface than this count as obstacles [voxels]: those that it passes.
+  static constexpr double kSiteBelow_vox = 0.5;
+  /// What clearance is read too small by on purpose [voxels]: at an edge the centre of the next such voxel may
+  /// lie 0.95 voxel behind it.
+  static constexpr double kCaution_vox = 0.45;
 
   struct Ball {
     Eigen::Vector3d p_W;
@@ -65,9 +67,8 @@ class PlanningMap {
   double distance_m(std::size_t linear) const { return quantisation_.Distance(distance_[linear]); }
   double weight(std::size_t linear) const { return quantisation_.Weight(weight_[linear]); }
 
-  /// [m] to the centre of the nearest voxel that is known and d < kSiteBelow_vox d_s. Over by half a voxel at
-  /// most, nearer than 0.3 m to an edge by half the diagonal of one; before flat surfaces under by a third of
-  /// a voxel on average and a voxel at most.
+  /// [m] to the centre of the nearest voxel that is known and d < kSiteBelow_vox d_s, less kCaution_vox d_s.
+  /// Over by half a voxel at most; before flat surfaces under by half a voxel on average, a voxel at most.
   const DistanceField& to_occupied() const { return to_occupied_; }
   /// [m] to the nearest unknown voxel inside the mission volume.
   const DistanceField& to_unknown() const { return to_unknown_; }

@@ -25,10 +25,11 @@ SafeSpace::SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double
     : map_(map),
       occupied_m_(std::min(limits.radius_m + margin_m, map.to_occupied().radius_m())),
       unknown_m_(unknown == Unknown::kFree ? 0 : std::min(limits.radius_m, map.to_unknown().radius_m())),
-      occupied_vox2_(SquaredVoxels(occupied_m_, map.grid().voxel_m())),
+      occupied_vox2_(SquaredVoxels(occupied_m_ + map.to_occupied().caution_m(), map.grid().voxel_m())),
       unknown_vox2_(SquaredVoxels(unknown_m_, map.grid().voxel_m())),
-      roomy_vox2_(SquaredVoxels(std::min(occupied_m_ + kRoomy_m, map.to_occupied().radius_m()),
-                                map.grid().voxel_m())) {}
+      roomy_vox2_(SquaredVoxels(
+          std::min(occupied_m_ + kRoomy_m, map.to_occupied().radius_m()) + map.to_occupied().caution_m(),
+          map.grid().voxel_m())) {}
 
 std::uint64_t SafeSpace::SafeVoxels(std::size_t first, int begin, int end) const {
   const std::uint16_t* occupied = map_.to_occupied().squared_vox() + first;

@@ -41,13 +41,14 @@ void Accuse(const Scenario& scenario, const SoakResult& r, const VehicleLimits& 
   const bool near =
       r.clearance_m < limits.radius_m - 0.25 || (r.uavs > 1 && r.separation_m < 2 * limits.radius_m);
   const bool hard = r.planned_speed_mps > 1.01 * limits.speed_max_mps ||
-                    r.planned_acceleration_mps2 > 1.01 * limits.acceleration_max_mps2 || r.jump > 1e-6;
+                    r.planned_acceleration_mps2 > 1.01 * limits.acceleration_max_mps2 ||
+                    r.flown_acceleration_mps2 > 1.01 * limits.acceleration_max_mps2 || r.jump > 1e-6;
   if (r.contacts > 0 || near || hard || r.arrived < r.uavs)
     std::printf(
-        "  %s %llu with %d UAVs: %d of them arrived, contacts %d, clearance %.2f, separation %.2f, jump "
-        "%.1e\n",
+        "  %s %llu with %d UAVs: %d of them arrived, contacts %d, clearance %.2f, separation %.2f, "
+        "acceleration %.2f, jump %.1e\n",
         scenario.kind.c_str(), static_cast<unsigned long long>(scenario.seed), r.uavs, r.arrived, r.contacts,
-        r.clearance_m, r.separation_m, r.jump);
+        r.clearance_m, r.uavs > 1 ? r.separation_m : 0.0, r.flown_acceleration_mps2, r.jump);
 }
 
 int Run(int forests, int encounters, const UavSection& uav) {

@@ -115,6 +115,23 @@ TEST(DistanceField, ReadsTheNearestVoxelOutsideTheGrid) {
   EXPECT_EQ(gradient.x(), 0);
 }
 
+TEST(DistanceField, TakesItsCautionOffWhateverIsReadAndLeavesSlopesAsTheyAre) {
+  const VoxelGrid grid = SmallGrid();
+  std::vector<std::uint8_t> is_site(grid.num_voxels(), 0);
+  is_site[grid.Linear({10, 8, 9})] = is_site[grid.Linear({20, 12, 4})] = 1;
+  DistanceField plain(grid, 6), cautious(grid, 6, 0.2);
+  for (DistanceField* field : {&plain, &cautious}) field->Update(is_site, VoxelIndex::Zero(), grid.voxels());
+  EXPECT_DOUBLE_EQ(cautious.radius_m(), plain.radius_m() - 0.2);
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d p(random.Uniform(-1, 18), random.Uniform(-1, 10), random.Uniform(-1, 12));
+    Eigen::Vector3d slope, cautious_slope;
+    const double distance_m = plain.Interpolate(p, &slope);
+    EXPECT_NEAR(cautious.Interpolate(p, &cautious_slope), distance_m - 0.2, 1e-6);  // floats inside
+    EXPECT_LE((cautious_slope - slope).norm(), 1e-6);
+  }
+}
+
 TEST(DirtyBoxes, HoldEveryBlockAndKeepFarGroupsApart) {
   const VoxelGrid grid(0.25, {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(40, 40, 10)}, 0);
   std::vector<int> blocks;
