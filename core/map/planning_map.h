@@ -33,8 +33,8 @@ class PlanningMap {
 
   /// Voxels nearer to the surface than this count as obstacles [voxels]: those that it passes.
   static constexpr double kSiteBelow_vox = 0.5;
-  /// What clearance is read too small by on purpose [voxels]: at an edge the centre of the next such voxel may
-  /// lie 0.95 voxel behind it.
+  /// What clearance is read too small by on purpose [voxels]: at an edge the centre of the next such voxel
+  /// may lie 0.95 voxel behind it.
   static constexpr double kCaution_vox = 0.45;
 
   struct Ball {

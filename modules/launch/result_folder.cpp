@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -44,6 +45,25 @@ void WarnOfTheDisk(const MissionConfig& config) {
       free_bytes / 1e6, config.launch.out.c_str(), needed_bytes / 1e6);
 }
 
+/// [m] from which level ground is seen at the nearest, by a level UAV at its least height.
+double NearestGround_m(const MissionConfig& config) {
+  constexpr double kInside_rad = EIGEN_PI / 180;  // of the field of view's limit, as everywhere in planning
+  const double down_rad = -config.lidar.model.elevation_min_rad - kInside_rad;
+  const double height_m = config.uav.limits.radius_m + config.map.voxel_m / 2;
+  return height_m / std::sin(std::clamp<double>(down_rad, kInside_rad, EIGEN_PI / 2));
+}
+
+void WarnOfTheGoal(const MissionConfig& config) {
+  const double d_star_m = config.quality.d_star_m, ground_m = NearestGround_m(config);
+  if (ground_m < d_star_m) return;
+  std::fprintf(
+      stderr,
+      "citrine: quality.d_star_m: %g: flown level and clear of it, the ground is seen from %.2f m at "
+      "the nearest; it cannot reach its goal, and the UAVs will search long\n  mend: "
+      "quality.d_star_m = %.1f, or a LiDAR that looks down further\n",
+      d_star_m, ground_m, std::ceil(10 * ground_m + 1) / 10);
+}
+
 }  // namespace
 
 std::string PrepareResultFolder(const ResolvedMission& mission) {
@@ -58,6 +78,7 @@ std::string PrepareResultFolder(const ResolvedMission& mission) {
       for (const std::string& part : LogFiles(out / log)) fs::remove(part);
 
   WarnOfTheDisk(mission.config);
+  WarnOfTheGoal(mission.config);
   const fs::path file = out / "mission.toml";
   std::ofstream text(file);
   text << mission.toml << std::flush;

@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/citrine_command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace citrine {
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::HasSubstr, ::testing::Not;
 
 TEST(CommandLine, HelpIsNotAMistake) {
   const CommandResult help = RunCitrine("--help");
@@ -40,6 +41,15 @@ TEST(CommandLine, AWorldThatIsNotThereExitsWithTwo) {
   const CommandResult run = RunCitrine("run smoke --in-process --world nowhere.sdf");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("mission.world: no file 'nowhere.sdf'"));
+}
+
+TEST(CommandLine, AGoalThatTheGroundCannotReachIsSaidBeforeAnybodyFlies) {
+  const ScratchFolder scratch;
+  const std::string run =
+      "run smoke --in-process --set mission.time_limit_s=1 --out " + scratch.path().string() + " --set ";
+  // 1.125 m over the ground, it comes into the field of view 1.125 / sin(34 degrees) = 2.01 m away.
+  EXPECT_THAT(RunCitrine(run + "quality.d_star_m=2").output, HasSubstr("seen from 2.01 m at the nearest"));
+  EXPECT_THAT(RunCitrine(run + "quality.d_star_m=2.1").output, Not(HasSubstr("quality.d_star_m")));
 }
 
 TEST(CommandLine, ConfigShowsEveryKey) {
