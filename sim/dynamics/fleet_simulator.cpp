@@ -9,6 +9,9 @@ namespace citrine::sim {
 namespace {
 
 constexpr double kSubstepMax_s = 0.005;
+/// Where a motion's jerk steps, the body's rate has to; this long before it begins to, about as long as
+/// rotors and attitude take. Motions are known earlier.
+constexpr Utime kPreview = 30'000;
 constexpr std::uint64_t kGustStream = 0x600;  // streams of the mission's seed, one a UAV
 
 double SubstepOf(const DynamicsSection& dynamics) {
@@ -54,7 +57,10 @@ void FleetSimulator::Step(Utime now, double dt_s) {
 void FleetSimulator::Substep(Utime now, double dt_s) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     Vehicle& vehicle = vehicles_[i];
-    const Wrench asked = TrackOnSE3(model_, gains_, vehicle.state, vehicle.queue.At(now));
+    const TrajectoryPoint reference = vehicle.queue.At(now);
+    const Eigen::Vector3d snap_W =
+        (vehicle.queue.Foresee(now + kPreview).j_W - reference.j_W) / Seconds(kPreview);
+    const Wrench asked = TrackOnSE3(model_, gains_, vehicle.state, reference, snap_W);
     vehicle.rotors.Step(Mix(model_, asked), dt_s);
     vehicle.gust.Step(dt_s);
     const Eigen::Vector3d airspeed_W = vehicle.state.v_W - vehicle.gust.velocity_W();

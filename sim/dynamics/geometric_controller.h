@@ -16,10 +16,11 @@ struct ControllerGains {
 };
 
 /// Geometric tracking control on SE(3) (Lee, Leok & McClamroch 2010), eqs. 19, 20 and 23, with the
-/// reference's drag fed forward (Faessler et al. 2018), the reference's body rate taken from its jerk, and
-/// the thrust ahead of it by the lag of the rotors; its angular acceleration counts as zero. Far from the
+/// reference's drag fed forward (Faessler et al. 2018), the reference's body rate taken from its jerk, its
+/// angular acceleration from its snap, and the thrust ahead of it by the lag of the rotors. Far from the
 /// reference the position error is shortened to 1 m.
+/// @param snap_W [m/s^4] how the reference's jerk changes; the yaw's rate counts as steady
 Wrench TrackOnSE3(const QuadrotorModel& model, const ControllerGains& gains, const UavState& state,
-                  const TrajectoryPoint& reference);
+                  const TrajectoryPoint& reference, const Eigen::Vector3d& snap_W);
 
 }  // namespace citrine::sim

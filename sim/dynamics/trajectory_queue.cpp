@@ -1,5 +1,6 @@
 #include "sim/dynamics/trajectory_queue.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace citrine::sim {
@@ -15,6 +16,13 @@ TrajectoryPoint TrajectoryQueue::At(Utime now) {
     later_.pop_front();
   }
   return current_.At(now);
+}
+
+TrajectoryPoint TrajectoryQueue::Foresee(Utime later) const {
+  const auto begun = std::find_if(later_.rbegin(), later_.rend(), [later](const Trajectory& trajectory) {
+    return trajectory.start <= later;
+  });
+  return (begun == later_.rend() ? current_ : *begun).At(later);
 }
 
 }  // namespace citrine::sim

@@ -17,6 +17,9 @@ class TrajectoryQueue {
   /// What is asked at `now`; calls go forward in time.
   TrajectoryPoint At(Utime now);
 
+  /// What will be asked at a later time, as far as is known.
+  TrajectoryPoint Foresee(Utime later) const;
+
  private:
   Trajectory current_;
   std::deque<Trajectory> later_;  ///< by start

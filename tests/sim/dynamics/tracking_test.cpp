@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -64,6 +66,45 @@ INSTANTIATE_TEST_SUITE_P(Ways, DashIn,
                                                           Eigen::Vector3d(1, 1, 1),
                                                           Eigen::Vector3d(-1, 2, -1)),
                                           testing::Values(2.0, 7.0, 25.0)));
+
+/// Speeds up and slows down again along x with a jerk that is constant and steps: the ramps of hard braking.
+Trajectory Shuttle(double acceleration_mps2, double jerk_mps3) {
+  const double ramp_s = acceleration_mps2 / jerk_mps3, hold_s = 0.4;
+  Trajectory shuttle;
+  shuttle.start = FromSeconds(1);
+  double x = 0, v = 0, a = 0;
+  for (const auto& [jerk, T] :
+       {std::pair(jerk_mps3, ramp_s), std::pair(0.0, hold_s), std::pair(-jerk_mps3, 2 * ramp_s),
+        std::pair(0.0, hold_s), std::pair(jerk_mps3, ramp_s)}) {
+    TrajectorySegment segment;
+    segment.duration_s = T;
+    segment.coefficients.row(0) << x, v, a / 2, jerk / 6, 0, 0;
+    segment.coefficients(2, 0) = 30;
+    shuttle.segments.push_back(segment);
+    x += T * (v + T * (a / 2 + T * jerk / 6));
+    v += T * (a + T * jerk / 2);
+    a += T * jerk;
+  }
+  return shuttle;
+}
+
+TEST(Tracking, FliesNoHarderThanIsAskedWhereTheJerkSteps) {
+  constexpr double kAsked_mps2 = 4.5;
+  const Trajectory shuttle = Shuttle(kAsked_mps2, 25);
+  FleetSimulator fleet({}, {shuttle.At(0).p_W}, {}, {}, 1);
+  fleet.Follow(1, shuttle);
+  std::vector<Eigen::Vector3d> velocities_W;
+  double hardest_mps2 = 0;
+  for (int k = 0; k * kStep_s < 4; ++k) {
+    fleet.Step(FromSeconds(k * kStep_s), kStep_s);
+    velocities_W.push_back(fleet.state(1).v_W);
+    if (k < 5) continue;
+    const Eigen::Vector3d change = velocities_W.back() - *(velocities_W.end() - 6);
+    hardest_mps2 = std::max(hardest_mps2, change.norm() / (5 * kStep_s));
+  }
+  EXPECT_LE(hardest_mps2, 1.01 * kAsked_mps2);
+  EXPECT_GE(hardest_mps2, 0.97 * kAsked_mps2);
+}
 
 TEST(Tracking, ReachesTheSpeedThatIsAsked) {
   const Trajectory dash = Dash({0, 0, 10}, {25, 0, 10}, 4.5, 4.8, 0);

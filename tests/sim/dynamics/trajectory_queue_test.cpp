@@ -37,5 +37,15 @@ TEST(TrajectoryQueue, KeepsOneThatBeginsBeforeTheNewest) {
   EXPECT_EQ(queue.At(FromSeconds(3.5)).p_W.x(), 2);
 }
 
+TEST(TrajectoryQueue, ForeseesWhatIsKnownWithoutTakingItUp) {
+  TrajectoryQueue queue(At(0, 0));
+  queue.Add(At(1, 2));
+  queue.Add(At(2, 3));
+  EXPECT_EQ(queue.Foresee(FromSeconds(1.99)).p_W.x(), 0);
+  EXPECT_EQ(queue.Foresee(FromSeconds(2)).p_W.x(), 1);
+  EXPECT_EQ(queue.Foresee(FromSeconds(3)).p_W.x(), 2);
+  EXPECT_EQ(queue.At(FromSeconds(1)).p_W.x(), 0);
+}
+
 }  // namespace
 }  // namespace citrine::sim
