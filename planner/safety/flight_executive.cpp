@@ -107,6 +107,7 @@ bool FlightExecutive::Replan(Utime now) {
   std::optional<Trajectory> found = planner_.Plan(task, accept, &reason_);
   if (!found) return false;
   Commit(std::move(*found), false);
+  retry_at_ = now + kRetry;
   return true;
 }
 

@@ -126,6 +126,24 @@ TEST(FlightExecutive, GoesOnToAnotherGoalOnlyThroughThePlaceThatIsStillToBePasse
   ExpectWithinLimits(flight);
 }
 
+TEST(FlightExecutive, PlansTwiceASecondAndNoMoreWhileAPathEndsWhereItCannotGo) {
+  const PlanningMap map = MapOf({40, 12, 8}, EmptySpace, [](const Vector3d& p) { return p.x() < 20; });
+  FleetFlight flight(map, {{3, 6, 4}});
+  Path into_the_unknown;
+  into_the_unknown.id = 1;
+  into_the_unknown.waypoints = {{{3, 6, 4}, 1}, {{30, 6, 4}, 1}};
+  flight.uav(1).HearPath(into_the_unknown);
+  int plans = 0;
+  while (flight.now < FromSeconds(3)) {
+    flight.Step();
+    plans += flight.uav(1).planned();
+  }
+  EXPECT_GT(flight.Position(1).x(), 8);  // on its way to the edge of what is known
+  EXPECT_GE(plans, 5);
+  EXPECT_LE(plans, 6);
+  ExpectWithinLimits(flight);
+}
+
 TEST(FlightExecutive, HasReachedAGoalAtWhichItHoversAlready) {
   const PlanningMap map = MapOf({20, 12, 8}, EmptySpace);
   FleetFlight flight(map, {{5, 6, 4}});
