@@ -13,11 +13,13 @@ namespace {
 
 constexpr double kPiece_s = 0.06;  ///< of the fit to the slowed motion
 constexpr double kHardRamp_s = 0.2;
-constexpr double kShare = 0.90;  ///< of the acceleration limit, for slowing down; turns come on top
+constexpr double kShare = 0.95;  ///< of the acceleration limit, for slowing down; turns come on top
 constexpr double kShortest_s = 0.3;
 constexpr double kFading_s = 0.3;
 constexpr double kInstant_s = 1e-9;
-constexpr double kAllInAll = 0.91;  ///< of the limit, turns included: the vehicle overshoots by a tenth
+constexpr double kAllInAll = 0.99;  ///< of the limit, turns included: the vehicle overshoots by 1 %
+constexpr int kAttempts = 20;
+constexpr double kSlower = 1.08;  ///< from one to the next
 constexpr double kStill_mps = 1e-4;
 
 /// Progress along the motion: its pace falls from 1 to 0, the deceleration a trapezoid with ramps of
@@ -91,14 +93,18 @@ std::vector<TrajectorySegment> BrakeAlong(const Trajectory& flown, Utime at, con
     return left_s <= 0 ? std::vector<TrajectorySegment>{} : Cut(flown, at, flown.end());
   const double a = kShare * limits.acceleration_max_mps2;
   double fall_s = std::max(kShortest_s, start.v_W.norm() / a);  // of the pace at full deceleration
+  const double most_mps2 = std::max(kAllInAll * limits.acceleration_max_mps2, start.a_W.norm());
   std::vector<TrajectorySegment> segments;
-  for (int attempt = 0; attempt < 14; ++attempt, fall_s *= 1.08) {
+  bool within = false;
+  for (int attempt = 0; !within && attempt < kAttempts; ++attempt, fall_s *= kSlower) {
     const double ramp_s = braking == Braking::kHard ? std::min(kHardRamp_s, fall_s / 2) : fall_s / 2;
     const Slowing slowing{ramp_s, fall_s - ramp_s};
     if (slowing.duration_s() / 2 >= left_s) return Cut(flown, at, flown.end());
     segments = Fit(flown, at, slowing);
-    if (WithinLimits(segments, kAllInAll * limits.acceleration_max_mps2)) break;
+    within = WithinLimits(segments, most_mps2);
   }
+  // A motion that slows down hard by itself leaves nothing for a ramp as short.
+  if (!within && braking == Braking::kHard) return BrakeAlong(flown, at, limits, Braking::kGentle);
   double duration_s = 0;
   for (const TrajectorySegment& segment : segments) duration_s += segment.duration_s;
   AddYaw(start.yaw_rad, start.yaw_rate_radps, start.yaw_rad + start.yaw_rate_radps * duration_s / 2,

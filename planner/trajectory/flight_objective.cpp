@@ -12,7 +12,7 @@ constexpr int kSamples = 10;  ///< a piece
 constexpr double kOccupiedRoom_m = 0.2, kUnknownRoom_m = 0.12, kTeammateRoom_m = 0.3;
 constexpr double kVolumeRoom_m = 0.05;
 /// Beyond it the vehicle, whose thrust has to turn first, overshoots the acceleration.
-constexpr double kJerkMax_mps3 = 28;
+constexpr double kJerkMax_mps3 = 36;
 
 /// The six quintic Hermite functions and their first three derivatives at a share of a piece, in the order
 /// p0, v0, a0, p1, v1, a1; v counts times the duration, a times its square.

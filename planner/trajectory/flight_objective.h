@@ -12,9 +12,9 @@ namespace citrine::planner {
 
 /// What flying badly costs, relative to a unit of jerk energy.
 struct FlightWeights {
-  double time = 600;         ///< a second
+  double time = 2400;        ///< a second
   double clearance = 40000;  ///< to occupied and to unknown, and to the volume's faces
-  double limits = 100000;    ///< of speed and acceleration
+  double limits = 200000;    ///< of speed and acceleration
   double teammates = 40000;
 };
 
@@ -58,8 +58,8 @@ class FlightObjective {
   MinimumJerkSpline spline_;
 };
 
-/// Shares of the limits that are planned for: the real vehicle's tracking error comes on top.
-inline constexpr double kPlannedSpeed = 0.97;
-inline constexpr double kPlannedAcceleration = 0.88;
+/// Shares of the limits that are planned for: time presses motions beyond them by a few per cent.
+inline constexpr double kPlannedSpeed = 0.96;
+inline constexpr double kPlannedAcceleration = 0.94;
 
 }  // namespace citrine::planner

@@ -20,7 +20,7 @@ struct Violation {
 };
 
 /// The hard check before a motion is committed, and of what is left of a committed one: steady, within the
-/// limits by 1 %, the robot's radius away from everything occupied and unknown wherever it goes and where it
+/// limits, the robot's radius away from everything occupied and unknown wherever it goes and where it
 /// ends, and apart from every teammate at all times, the rest at both ends included.
 ///
 /// A clearance that is short where the motion begins must not shrink further until it is whole again.

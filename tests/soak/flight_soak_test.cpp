@@ -12,6 +12,12 @@ namespace {
 constexpr double kVoxel_m = 0.25;
 constexpr double kForest_s = 60, kEncounter_s = 90;
 
+void ExpectFlownWithinLimits(const SoakResult& result) {
+  const VehicleLimits limits;
+  EXPECT_LE(result.flown_speed_mps, 1.01 * limits.speed_max_mps);
+  EXPECT_LE(result.flown_acceleration_mps2, 1.01 * limits.acceleration_max_mps2);
+}
+
 void ExpectSafe(const SoakResult& result) {
   const VehicleLimits limits;
   EXPECT_EQ(result.contacts, 0);
@@ -24,10 +30,11 @@ void ExpectSafe(const SoakResult& result) {
 }
 
 TEST(FlightSoak, ForestsAreFlownThroughAsTheyAreDiscovered) {
-  for (const std::uint64_t seed : {1, 2, 3, 32}) {
+  for (const std::uint64_t seed : {1, 2, 3, 32, 284, 590}) {
     SCOPED_TRACE(seed);
     const SoakResult result = SoakFlight(Forest(seed), {}).Fly(kForest_s);
     ExpectSafe(result);
+    ExpectFlownWithinLimits(result);
     EXPECT_LT(result.error_m, 0.1);
   }
 }
@@ -36,7 +43,9 @@ TEST(FlightSoak, UavsThatMeetStayTwoRadiiApartAndArrive) {
   for (const int uavs : {2, 3})
     for (const Scenario& scenario : {HeadOn(4, uavs), Crossing(5, uavs), NarrowGap(5, uavs)}) {
       SCOPED_TRACE(scenario.kind + " of " + std::to_string(uavs));
-      ExpectSafe(SoakFlight(scenario, {}).Fly(kEncounter_s));
+      const SoakResult result = SoakFlight(scenario, {}).Fly(kEncounter_s);
+      ExpectSafe(result);
+      ExpectFlownWithinLimits(result);
     }
 }
 

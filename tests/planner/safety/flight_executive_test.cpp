@@ -166,7 +166,7 @@ TEST(FlightExecutive, StopsBeforeAWallThatTheMapShowsOnlyAtFourAndAThirdMetresAt
   Write([wall_x](const Vector3d& p) { return wall_x - p.x(); }, Everywhere, 2, &map);
   flight.Step(true);
   flight.Fly(8);
-  EXPECT_GE(wall_x - flight.Position(1).x(), 0.99);  // 4.33 m, less 0.54 m of replan_ahead, 2.8 m of braking
+  EXPECT_GE(wall_x - flight.Position(1).x(), 0.99);  // 4.33 m, less 0.54 m of replan_ahead, 2.7 m of braking
   EXPECT_GE(flight.to_occupied_m, 0.99 - PlanningMap::kSiteBelow_vox * 0.25);  // before flat surfaces
   ExpectWithinLimits(flight);
   EXPECT_EQ(flight.status(1).phase, Phase::kBlocked);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planner/trajectory/minimum_jerk_spline.h"
 #include "planner/trajectory/trajectory_check.h"
 #include "planner/trajectory/trajectory_cut.h"
@@ -52,6 +54,25 @@ TEST_P(BrakeAlongTest, StaysOnTheWayWithinTheLimitsAndContinuesExactly) {
         nearest = std::min(nearest, (flight.At(s).p_W - brake.At(t).p_W).norm());
       EXPECT_LT(nearest, 0.006);  // samples of the flight lie 9 mm apart at 4.5 m/s
     }
+  }
+}
+
+TEST_P(BrakeAlongTest, BrakesNoHarderThanTheLimitWhereTheMotionSlowsDownByItself) {
+  const PlanningMap map = MapOf({40, 12, 8}, EmptySpace);
+  FlightScene scene;
+  scene.map = &map;
+  // From 4.5 to 0.5 m/s: a parabola of 1.5 dv / T = 4.7 m/s^2 at its peak.
+  constexpr double kFast_mps = 4.5, kSlow_mps = 0.5, kPeak_mps2 = 4.7;
+  const double T = 1.5 * (kFast_mps - kSlow_mps) / kPeak_mps2;
+  const Vector3d bend(3 + (kFast_mps + kSlow_mps) / 2 * T, 6, 4), end = bend + Vector3d(20 * kSlow_mps, 0, 0);
+  Trajectory slowing;
+  slowing.segments = {Quintic({{3, 6, 4}, {kFast_mps, 0, 0}}, {bend, {kSlow_mps, 0, 0}}, T),
+                      Quintic({bend, {kSlow_mps, 0, 0}}, {end, {kSlow_mps, 0, 0}}, 20),
+                      Quintic({end, {kSlow_mps, 0, 0}}, {end + Vector3d(0.5, 0, 0)}, 2)};
+  for (Utime at = 0; at < FromSeconds(T); at += 100'000) {
+    const Trajectory brake = Splice(slowing, at, at, BrakeAlong(slowing, at, scene.limits, GetParam()));
+    const auto violation = FindViolation(brake, at, scene);
+    EXPECT_FALSE(violation) << violation->Reason() << " at " << Seconds(at);
   }
 }
 
