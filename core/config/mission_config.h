@@ -209,9 +209,9 @@ struct PlannerSection {
 /// [smoother]
 struct SmootherSection {
   double replan_ahead_s = 0.12;
-  double weight_time = 600;
+  double weight_time = 2400;
   double weight_clearance = 40000;
-  double weight_limits = 100000;
+  double weight_limits = 200000;
   int evaluations_max = 200;
   double guard_hz = 20;
 
