@@ -23,6 +23,8 @@ constexpr int kRows = 24,
               kCols = 384;       ///< of the LiDAR: time is saved here, a thousand flights make 80 000 scans
 constexpr int kFusedSteps = 10;  ///< the guard hears every scan, the map every other one
 constexpr int kPlaces = 20;
+constexpr std::size_t kDeadEndsMax = 8;
+constexpr double kDeadEnd_m = 3, kNearby_m = 4;
 constexpr double kStill_mps = 0.2;
 
 double CpuMs() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -163,9 +165,18 @@ void SoakFlight::Ask(Pilot& pilot) {
   pilot.asks_at = now_ + FromSeconds(0.3);
   const Vector3d from_W = pilot.executive->committed()->At(now_ + FromSeconds(0.16)).p_W;
   const Vector3d to_W = now_ < pilot.retreats_until ? pilot.retreat_W : pilot.goal_W;
+  const double begin_ms = CpuMs();
   std::optional<Path> path = pilot.search->Find(from_W, to_W);
-  // The furthest safe point is where it is: what lies beyond has to be looked at from elsewhere.
-  if (!path && status.time_to_go_s == 0) path = LookElsewhere(pilot, from_W);
+  if (path && !path->ends_at_goal && !pilot.dead_ends.empty())
+    path = pilot.search->Find(from_W, to_W, pilot.dead_ends);
+  pilot.search_ms = CpuMs() - begin_ms;
+  // The furthest safe point is where it is: what lies beyond has to be looked at from elsewhere, and if it
+  // cannot be, this is no way.
+  if (!path && status.time_to_go_s == 0) {
+    if (pilot.dead_ends.size() == kDeadEndsMax) pilot.dead_ends.erase(pilot.dead_ends.begin());
+    pilot.dead_ends.push_back({from_W, kDeadEnd_m});
+    path = LookElsewhere(pilot, from_W);
+  }
   if (!path) return;
   path->id = pilot.path ? pilot.path->id + 1 : 1;
   pilot.path = std::move(path);
@@ -173,9 +184,12 @@ void SoakFlight::Ask(Pilot& pilot) {
 }
 
 std::optional<Path> SoakFlight::LookElsewhere(Pilot& pilot, const Vector3d& from_W) {
+  const double reach_m = kNearby_m * static_cast<double>(pilot.dead_ends.size());
   for (int i = 0; i < kPlaces; ++i) {
-    const Vector3d to_W =
-        from_W + Vector3d(places_.Uniform(-4, 4), places_.Uniform(-4, 4), places_.Uniform(-2, 2));
+    const Vector3d off_m(places_.Uniform(-reach_m, reach_m), places_.Uniform(-reach_m, reach_m),
+                         places_.Uniform(-2, 2));
+    if (off_m.norm() <= kDeadEnd_m) continue;
+    const Vector3d to_W = from_W + off_m;
     std::optional<Path> path = pilot.search->Find(from_W, to_W);
     if (!path || !path->ends_at_goal) continue;
     path->ends_at_goal = false;  // it is on its way to the goal still
@@ -185,12 +199,13 @@ std::optional<Path> SoakFlight::LookElsewhere(Pilot& pilot, const Vector3d& from
 }
 
 void SoakFlight::Act(Pilot& pilot, bool map_changed) {
-  const double begin_ms = CpuMs();
+  pilot.search_ms = 0;
   Ask(pilot);
+  const double begin_ms = CpuMs();
   pilot.executive->Act(now_, map_changed);
   const Trajectory& committed = *pilot.executive->committed();
   if (pilot.executive->planned()) {
-    result_.planning_ms.push_back(CpuMs() - begin_ms);
+    result_.planning_ms.push_back(pilot.search_ms + CpuMs() - begin_ms);
     ++result_.plans;
     result_.failures += pilot.executive->Status(now_).failures > 0;
   }

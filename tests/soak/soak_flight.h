@@ -49,7 +49,8 @@ class SoakFlight {
     std::optional<Path> path;
     Utime retreats_until = -1, asks_at = 0;
     std::int64_t followed = 0;
-    bool counted_blocked = false;
+    std::vector<planner::Ball> dead_ends;       ///< the newest places at which it knew no way on
+    double search_ms = 0;                       ///< CPU time of the last search for a way to the goal
     UavState said;                              ///< with localisation noise
     std::vector<Eigen::Vector3d> velocities_W;  ///< of the last steps
   };
@@ -57,7 +58,8 @@ class SoakFlight {
   void Scan(bool fused);
   bool SayMap();
   void Ask(Pilot& pilot);
-  /// A place at random near a pilot that can be reached.
+  /// A place at random that can be reached: away from where a pilot is stuck, and the further the more often
+  /// it was.
   std::optional<Path> LookElsewhere(Pilot& pilot, const Eigen::Vector3d& from_W);
   void Act(Pilot& pilot, bool map_changed);
   void Measure(Pilot& pilot, const Trajectory& before);
