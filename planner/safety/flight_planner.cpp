@@ -65,7 +65,8 @@ std::optional<Trajectory> FlightPlanner::Plan(const Task& task,
   const Points joined = Join(task, start.p_W);
   std::optional<Trajectory> found;
   if (!joined.empty() && accepted(found = Smooth(task, joined, why))) return found;
-  const Points anew = FindAnew(task, start.p_W);
+  Points anew = FindAnew(task, start.p_W);
+  if (anew == joined) anew.clear();  // what was tried
   if (!anew.empty() && accepted(found = Smooth(task, anew, why))) return found;
   const bool still = start.v_W.norm() < kStill && start.a_W.norm() < kStill;
   if (still && !joined.empty() && accepted(found = FlyLegs(task, joined, why))) return found;
