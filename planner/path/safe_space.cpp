@@ -1,9 +1,9 @@
 #include "planner/path/safe_space.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace citrine::planner {
@@ -34,16 +34,22 @@ SafeSpace::SafeSpace(const PlanningMap& map, const VehicleLimits& limits, double
 std::uint64_t SafeSpace::SafeVoxels(std::size_t first, int begin, int end) const {
   const std::uint16_t* occupied = map_.to_occupied().squared_vox() + first;
   const std::uint16_t* unknown = map_.to_unknown().squared_vox() + first;
-  // Bytes first and bits then: the compiler compares sixteen at once.
-  std::array<std::uint8_t, 64> safe{};
-  for (int i = begin; i < end; ++i)
-    safe[static_cast<std::size_t>(i)] = (occupied[i] >= occupied_vox2_) & (unknown[i] >= unknown_vox2_);
+  const __m256i occupied_least = _mm256_set1_epi16(static_cast<short>(occupied_vox2_));
+  const __m256i unknown_least = _mm256_set1_epi16(static_cast<short>(unknown_vox2_));
+  const auto safe16 = [&](int i) {
+    const __m256i o = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(occupied + i));
+    const __m256i u = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(unknown + i));
+    return _mm256_and_si256(_mm256_cmpeq_epi16(_mm256_max_epu16(o, occupied_least), o),
+                            _mm256_cmpeq_epi16(_mm256_max_epu16(u, unknown_least), u));
+  };
   std::uint64_t bits = 0;
-  for (std::size_t byte = 0; byte < 8; ++byte) {
-    std::uint64_t eight;
-    std::memcpy(&eight, &safe[8 * byte], sizeof eight);
-    bits |= (eight * 0x0102040810204080u) >> 56 << (8 * byte);
+  int i = begin;
+  for (; i + 32 <= end; i += 32) {
+    const __m256i bytes = _mm256_permute4x64_epi64(_mm256_packs_epi16(safe16(i), safe16(i + 16)), 0xd8);
+    bits |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm256_movemask_epi8(bytes))) << i;
   }
+  for (; i < end; ++i)
+    bits |= static_cast<std::uint64_t>(SafeVoxel(first + static_cast<std::size_t>(i))) << i;
   return bits;
 }
 
@@ -52,6 +58,12 @@ double SafeSpace::Slack(const Eigen::Vector3d& p_W) const {
   if (outside > 0) return -outside;
   return std::min(map_.to_occupied().Interpolate(p_W) - occupied_m_,
                   map_.to_unknown().Interpolate(p_W) - unknown_m_);
+}
+
+bool SafeSpace::Safe(const Eigen::Vector3d& p_W) const {
+  return (map_.grid().volume_W().contains(p_W) && map_.to_occupied().CertainlyBeyond(p_W, occupied_m_) &&
+          map_.to_unknown().CertainlyBeyond(p_W, unknown_m_)) ||
+         Slack(p_W) >= 0;
 }
 
 double SafeSpace::FreeRadius(const Eigen::Vector3d& p_W) const {

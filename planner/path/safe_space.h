@@ -46,6 +46,8 @@ class SafeSpace {
 
   /// [m] by how much the clearance at a point exceeds what is asked, between voxels too; negative: not safe.
   double Slack(const Eigen::Vector3d& p_W) const;
+  /// Whether that is not negative.
+  bool Safe(const Eigen::Vector3d& p_W) const;
   /// [m] clearance to everything occupied or unknown.
   double FreeRadius(const Eigen::Vector3d& p_W) const;
   /// Whether a straight leg is safe throughout, by sphere tracing, and stays out of the balls.

@@ -121,8 +121,11 @@ const std::vector<ViewGenerator::LatticePose>& ViewGenerator::LatticeAround(cons
   return poses;
 }
 
-std::optional<View> ViewGenerator::Search(const Element& element) const {
+std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers& answers) const {
+  using Answer = LatticeAnswers::Answer;
   const VoxelGrid& grid = map_.grid();
+  const Eigen::Vector3i size = grid.voxels().array() / stride_ + 1;
+  answers.of_pose_.resize(static_cast<std::size_t>(size.prod()), Answer::kNotAsked);
   const double useful = UsefulRange(element);
   const double best_distance = Distances(element)[0].first;
   std::optional<View> best;
@@ -132,8 +135,13 @@ std::optional<View> ViewGenerator::Search(const Element& element) const {
     if (pose.distance_m > useful || !grid.Inside(v)) continue;
     const double off = std::abs(pose.distance_m - best_distance);
     if (best && best_cost.first == 0 && off >= best_cost.second) continue;
+    const Eigen::Vector3i at = v / stride_;
+    Answer& answer =
+        answers.of_pose_[static_cast<std::size_t>((at.z() * size.y() + at.y()) * size.x() + at.x())];
+    if (answer == Answer::kUnsafe) continue;
     const Eigen::Vector3d p_W = grid.Centre(v);
-    if (!safe_(p_W)) continue;
+    if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;
+    if (answer == Answer::kUnsafe) continue;
     const Sight sight = LookAt(map_, element, p_W);
     const std::pair<int, double> cost{sight.unknown, off};
     if (!sight.clear || cost >= best_cost) continue;

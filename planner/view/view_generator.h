@@ -47,7 +47,19 @@ class ViewGenerator {
   /// The last resort, and the test for what remains out of reach (ISE_rem of eq. 1; design, section 6): of
   /// all poses of a 0.5 m lattice that are safe and see the element, the one with the fewest unknown voxels
   /// in between, then the distance nearest to the optimal one.
-  std::optional<View> Search(const Element& element) const;
+  std::optional<View> Search(const Element& element) const {
+    LatticeAnswers answers;
+    return Search(element, answers);
+  }
+  /// Which poses of the lattice are safe, as far as they were asked for; true while neither the map nor what
+  /// is connected changes.
+  class LatticeAnswers {
+    friend class ViewGenerator;
+    enum class Answer : std::uint8_t { kNotAsked, kSafe, kUnsafe };
+    std::vector<Answer> of_pose_;
+  };
+  /// As above; asks only for what is not answered yet.
+  std::optional<View> Search(const Element& element, LatticeAnswers& answers) const;
 
   /// Whether a view still is safe and sees its element with use.
   bool Holds(const View& view, const Element& element) const;

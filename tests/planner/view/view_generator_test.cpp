@@ -108,6 +108,7 @@ TEST_F(ViewGeneratorTest, SearchFindsTheBestOfAllSafePosesOfTheLattice) {
   const ViewGenerator generator(world.map, window, safe, {});
   const VoxelGrid& map_grid = world.map.grid();
   int found = 0;
+  ViewGenerator::LatticeAnswers answers;
   for (int trial = 0; trial < 60; ++trial) {
     Element e = elements[world.random().Below(static_cast<std::uint32_t>(elements.size()))];
     e.attempts = trial % 2;
@@ -128,7 +129,11 @@ TEST_F(ViewGeneratorTest, SearchFindsTheBestOfAllSafePosesOfTheLattice) {
           if (cost.first == least.first && cost.second > least.second - 1e-9) continue;
           expected_W = p_W, least = cost;
         }
-    const std::optional<View> view = generator.Search(e);
+    const std::optional<View> view = generator.Search(e, answers), alone = generator.Search(e);
+    ASSERT_EQ(view.has_value(), alone.has_value());
+    if (view && alone) {
+      EXPECT_EQ(view->p_W, alone->p_W);
+    }
     ASSERT_EQ(view.has_value(), expected_W.has_value());
     if (!view) continue;
     // Of poses that are equally far off up to rounding it may be another one.
