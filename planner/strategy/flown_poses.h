@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "core/geometry/pose.h"
 #include "core/map/planning_map.h"
@@ -13,7 +16,7 @@ namespace citrine::planner {
 /// Where the fleet has been, half a metre apart.
 class FlownPoses {
  public:
-  explicit FlownPoses(int uavs) : last_W_(static_cast<std::size_t>(uavs), Eigen::Vector3d::Constant(1e9)) {}
+  explicit FlownPoses(int uavs);
 
   void Add(int uav, const Pose& X_WB, Utime now);
   /// How many of the poses before a time should have settled an element (WellSeen), tilted as the UAV was;
@@ -26,8 +29,14 @@ class FlownPoses {
     Pose X_WB;
     Utime at;
   };
+  /// Some poses of one UAV, one after the other.
+  struct Stretch {
+    Eigen::AlignedBox3d around_W;
+    std::vector<Flown> flown;
+  };
   std::vector<Eigen::Vector3d> last_W_;
-  std::vector<Flown> flown_;
+  std::vector<std::size_t> newest_;  ///< by UAV: its stretch that grows
+  std::vector<Stretch> stretches_;
 };
 
 }  // namespace citrine::planner

@@ -1,7 +1,12 @@
 #include "planner/strategy/flown_poses.h"
 
+#include <array>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "planner/view/well_seen.h"
 #include "tests/planner/path/synthetic_map.h"
 
@@ -51,6 +56,27 @@ TEST_F(FlownPosesTest, DoesNotCountPosesTooFarBehindOrTiltedAway) {
   EXPECT_EQ(Looks(10), 0);
   flown.Add(2, Pose{level_W}, 4);
   EXPECT_EQ(Looks(10), 1);
+}
+
+TEST_F(FlownPosesTest, CountsOnLongFlightsWhatAPassOverAllPosesCounts) {
+  Random random(7);
+  std::array<Vector3d, 2> at_W{Vector3d(2, 6, 4), Vector3d(6, 3, 4)};
+  std::vector<std::pair<Vector3d, Utime>> poses_W;
+  for (Utime now = 0; now < 3000; ++now) {
+    const auto uav = static_cast<std::size_t>(now % 2);
+    const Vector3d step(random.Normal(), random.Normal(), random.Normal());
+    const Vector3d p_W = at_W[uav] + 0.6 * step.normalized();
+    if (!Eigen::AlignedBox3d(Vector3d(-8, -8, 1), Vector3d(7, 20, 7)).contains(p_W)) continue;
+    at_W[uav] = p_W;
+    poses_W.emplace_back(p_W, now);
+    flown.Add(static_cast<int>(uav) + 1, Pose{p_W}, now);
+  }
+  for (const Utime before : {100, 777, 3000}) {
+    int expected = 0;
+    for (const auto& [p_W, at] : poses_W) expected += at < before && WellSeen(map, element, window, p_W);
+    EXPECT_EQ(Looks(before, 10000), expected);
+    EXPECT_GT(expected, before == 3000 ? 20 : -1);
+  }
 }
 
 TEST_F(FlownPosesTest, IgnoresUavsThatAreNotOfTheFleet) {
