@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace citrine::planner {
 
@@ -31,11 +31,31 @@ std::uint64_t ElementMemory::Around(const PlanningMap& map, std::uint32_t linear
   return digits;
 }
 
+ElementMemory::Record& ElementMemory::RecordOf(std::uint32_t linear) {
+  const auto [at, is_new] = record_of_.try_emplace(linear, records_.size());
+  if (is_new) {
+    records_.emplace_back().linear = linear;
+    flags_[linear] |= kRecorded;
+  }
+  return records_[at->second];
+}
+
+void ElementMemory::Forget(std::size_t record) {
+  const std::uint32_t linear = records_[record].linear;
+  flags_[linear] &= static_cast<std::uint8_t>(~kRecorded);
+  record_of_.erase(linear);
+  if (record + 1 < records_.size()) {
+    records_[record] = std::move(records_.back());
+    record_of_[records_[record].linear] = record;
+  }
+  records_.pop_back();
+}
+
 void ElementMemory::Update(const PlanningMap& map, const ActiveSurface& surface) {
   if (surface.last_discovery() > spread_) SpreadDiscoveries(surface);
-  for (auto it = records_.begin(); it != records_.end();) {
-    const std::uint32_t linear = it->first;
-    Record& record = it->second;
+  for (std::size_t i = records_.size(); i-- > 0;) {
+    Record& record = records_[i];
+    const std::uint32_t linear = record.linear;
     std::uint8_t& flags = flags_[linear];
     const bool settled = surface.At(linear) < SurfaceClass::kLqse;
     if ((flags & kUnreachable) &&
@@ -50,26 +70,28 @@ void ElementMemory::Update(const PlanningMap& map, const ActiveSurface& surface)
       ++record.returns;
       record.attempts = record.blocked = 0;
     }
-    const bool forget = settled && record.returns == 0 && record.attempts == 0;
-    it = forget ? records_.erase(it) : std::next(it);
+    if (settled && record.returns == 0 && record.attempts == 0) Forget(i);
   }
 }
 
+/// The maximum over a box of blocks, one axis after the other. Along each the blocks lie in layers, `inner`
+/// side by side.
 void ElementMemory::SpreadDiscoveries(const ActiveSurface& surface) {
   spread_ = surface.last_discovery();
   const Eigen::Vector3i& n = grid_.blocks();
-  std::vector<std::int64_t> from(near_discovery_.size());
-  for (int b = 0; b < grid_.num_blocks(); ++b) near_discovery_[b] = surface.discovered(b);
-  const int strides[3] = {1, n.x(), n.x() * n.y()};
-  for (int axis = 0; axis < 3; ++axis) {  // the maximum over a box, one axis after the other
-    from.swap(near_discovery_);
-    for (int b = 0; b < grid_.num_blocks(); ++b) {
-      const int at = b / strides[axis] % n[axis];
-      std::int64_t newest = 0;
-      for (int k = std::max(-reach_blocks_, -at); k <= std::min(reach_blocks_, n[axis] - 1 - at); ++k)
-        newest = std::max(newest, from[b + k * strides[axis]]);
-      near_discovery_[b] = newest;
-    }
+  const int num_blocks = grid_.num_blocks();
+  for (int b = 0; b < num_blocks; ++b) near_discovery_[b] = static_cast<std::int32_t>(surface.discovered(b));
+  std::vector<std::int32_t> from;
+  for (int axis = 0, inner = 1; axis < 3; inner *= n[axis++]) {
+    from = near_discovery_;
+    for (int first = 0; first < num_blocks; first += inner * n[axis])
+      for (int at = 0; at < n[axis]; ++at) {
+        std::int32_t* const newest = &near_discovery_[first + at * inner];
+        for (int k = std::max(0, at - reach_blocks_); k <= std::min(n[axis] - 1, at + reach_blocks_); ++k) {
+          const std::int32_t* const other = &from[first + k * inner];
+          for (int i = 0; i < inner; ++i) newest[i] = std::max(newest[i], other[i]);
+        }
+      }
   }
 }
 
@@ -83,30 +105,29 @@ void ElementMemory::Judge(const PlanningMap& map, const ActiveSurface& surface, 
   const bool incomplete = surface.At(linear) == SurfaceClass::kIse;
   if (map.weight_code(linear) > before.weight_code) return;
   if (incomplete && Around(map, linear) != before.around) return;
-  Record& record = records_[linear];
+  Record& record = RecordOf(linear);
   if (++record.attempts >= kAttemptsMax) GiveUp(map, linear);
 }
 
 int ElementMemory::Attempts(std::uint32_t linear) const {
-  const auto it = records_.find(linear);
-  return it == records_.end() ? 0 : it->second.attempts;
+  return flags_[linear] & kRecorded ? records_[record_of_.at(linear)].attempts : 0;
 }
 
 void ElementMemory::CountBlocked(const PlanningMap& map, std::uint32_t linear) {
   if (flags_[linear] & kGivenUp) return;
-  Record& record = records_[linear];
+  Record& record = RecordOf(linear);
   if (++record.blocked >= kBlockedMax) GiveUp(map, linear);
 }
 
 void ElementMemory::GiveUp(const PlanningMap& map, std::uint32_t linear) {
   if (flags_[linear] & kGivenUp) return;
   flags_[linear] |= kGivenUp;
-  records_[linear].around = Around(map, linear);
+  RecordOf(linear).around = Around(map, linear);
   ++given_up_;
 }
 
 void ElementMemory::MarkUnreachable(std::uint32_t linear, std::int64_t revision) {
-  records_[linear].tested = revision;
+  RecordOf(linear).tested = revision;
   if (flags_[linear] & kUnreachable) return;
   flags_[linear] |= kUnreachable;
   ++unreachable_;
@@ -114,9 +135,10 @@ void ElementMemory::MarkUnreachable(std::uint32_t linear, std::int64_t revision)
 
 int ElementMemory::RetestBefore(std::int64_t revision) {
   int count = 0;
-  for (const auto& [linear, record] : records_) {
-    if (!(flags_[linear] & kUnreachable) || record.tested >= revision) continue;
-    flags_[linear] &= static_cast<std::uint8_t>(~kUnreachable);
+  for (const Record& record : records_) {
+    std::uint8_t& flags = flags_[record.linear];
+    if (!(flags & kUnreachable) || record.tested >= revision) continue;
+    flags &= static_cast<std::uint8_t>(~kUnreachable);
     --unreachable_;
     ++count;
   }
@@ -124,8 +146,9 @@ int ElementMemory::RetestBefore(std::int64_t revision) {
 }
 
 const View* ElementMemory::Fallback(std::uint32_t linear) const {
-  const auto it = records_.find(linear);
-  return it != records_.end() && it->second.fallback ? &*it->second.fallback : nullptr;
+  if (!(flags_[linear] & kRecorded)) return nullptr;
+  const Record& record = records_[record_of_.at(linear)];
+  return record.fallback ? &*record.fallback : nullptr;
 }
 
 }  // namespace citrine::planner

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/quality/active_surface.h"
@@ -27,7 +27,7 @@ class ElementMemory {
   void Update(const PlanningMap& map, const ActiveSurface& surface);
 
   /// Whether the element is out of the set at present.
-  bool Skips(std::uint32_t linear) const { return flags_[linear] != 0; }
+  bool Skips(std::uint32_t linear) const { return (flags_[linear] & (kGivenUp | kUnreachable)) != 0; }
 
   /// What an element looked like before a look at it.
   struct Before {
@@ -52,27 +52,32 @@ class ElementMemory {
 
   /// The last view found off the normal.
   const View* Fallback(std::uint32_t linear) const;
-  void RememberFallback(const View& view) { records_[view.element].fallback = view; }
+  void RememberFallback(const View& view) { RecordOf(view.element).fallback = view; }
 
   int given_up() const { return given_up_; }
   int unreachable() const { return unreachable_; }
 
  private:
-  enum Flag : std::uint8_t { kGivenUp = 1, kUnreachable = 2 };
+  enum Flag : std::uint8_t { kGivenUp = 1, kUnreachable = 2, kRecorded = 4 };
   struct Record {
+    std::uint32_t linear = 0;
     int attempts = 0, blocked = 0, returns = 0;
     std::uint64_t around = 0;  ///< when it was given up
     std::int64_t tested = 0;   ///< map revision of the verdict "unreachable"
     std::optional<View> fallback;
   };
   std::uint64_t Around(const PlanningMap& map, std::uint32_t linear) const;
+  /// Begins it if there is none.
+  Record& RecordOf(std::uint32_t linear);
+  void Forget(std::size_t record);
   void SpreadDiscoveries(const ActiveSurface& surface);
 
   VoxelGrid grid_;
   int reach_blocks_;
   std::vector<std::uint8_t> flags_;
-  std::map<std::uint32_t, Record> records_;
-  std::vector<std::int64_t> near_discovery_;  ///< by block: newest discovery within range
+  std::vector<Record> records_;
+  std::unordered_map<std::uint32_t, std::size_t> record_of_;  ///< by voxel, index in `records_`
+  std::vector<std::int32_t> near_discovery_;                  ///< by block: newest discovery within range
   std::int64_t spread_ = 0;
   int given_up_ = 0, unreachable_ = 0;
 };

@@ -94,6 +94,29 @@ TEST_F(ElementMemoryTest, UnreachableElementsReturnAfterADiscoveryNearThem) {
   EXPECT_FALSE(memory.Skips(voxel));
 }
 
+TEST_F(ElementMemoryTest, TakesBackExactlyWhatADiscoveryIsWithinTheRangeOfInBlocks) {
+  const VoxelGrid& grid = world.map.grid();
+  constexpr double kRange_m = 2.5;  // two blocks
+  for (int round = 0; round < 4; ++round) {
+    ElementMemory near{grid, kRange_m};
+    const std::vector<std::uint32_t> marked = surface.elements();
+    const std::int64_t marked_at = world.map.revision();
+    for (const std::uint32_t voxel : marked) near.MarkUnreachable(voxel, marked_at);
+    world.Reveal();
+    SayAll();
+    near.Update(world.map, surface);
+    for (const std::uint32_t voxel : marked) {
+      const Eigen::Vector3i at = grid.FromLinear(voxel) / kBlockSide;
+      bool discovered = false;
+      for (int block = 0; block < grid.num_blocks(); ++block) {
+        const Eigen::Vector3i off = grid.BlockOrigin(block) / kBlockSide - at;
+        discovered |= off.cwiseAbs().maxCoeff() <= 2 && surface.discovered(block) > marked_at;
+      }
+      ASSERT_EQ(near.Skips(voxel), surface.At(voxel) >= SurfaceClass::kLqse && !discovered);
+    }
+  }
+}
+
 TEST_F(ElementMemoryTest, LooksAreJudgedOnceTheMapHasHadTimeToAnswer) {
   const std::uint32_t voxel = AnIse();
   Looks looks(1.0);
