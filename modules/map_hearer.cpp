@@ -15,6 +15,7 @@ struct MapHearer::Impl {
   Impl(const MissionConfig& config, Bus& the_bus)
       : bus(the_bus),
         map(MissionPlanningMap(config)),
+        goals(config.quality_goals()),
         blocks(bus.Hear(channels::kMapBlocks)),
         summaries(bus.Hear(channels::kMapSummary)) {}
 
@@ -24,6 +25,9 @@ struct MapHearer::Impl {
 
   Bus& bus;
   PlanningMap map;
+  QualityGoals goals;
+  std::optional<ActiveSurface> surface;
+  std::int64_t surface_revision = -1;
   std::shared_ptr<Inbox<citrine_lcm::map_blocks_t>> blocks;
   std::shared_ptr<Inbox<citrine_lcm::map_summary_t>> summaries;
   std::int64_t last_step = -1;
@@ -76,6 +80,14 @@ void MapHearer::Impl::Compare(const MapSummary& summary) {
 }
 
 const PlanningMap& MapHearer::map() const { return impl_->map; }
+const ActiveSurface& MapHearer::Surface() {
+  std::optional<ActiveSurface>& surface = impl_->surface;
+  if (!surface) surface.emplace(map().grid(), map().quantisation(), impl_->goals);
+  if (impl_->surface_revision != map().revision()) surface->Update(map());
+  impl_->surface_revision = map().revision();
+  return *surface;
+}
+
 std::int64_t MapHearer::map_version() const { return impl_->version; }
 
 }  // namespace citrine

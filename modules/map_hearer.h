@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/map/planning_map.h"
+#include "core/quality/active_surface.h"
 #include "modules/runtime/module.h"
 
 namespace citrine {
@@ -19,6 +20,9 @@ class MapHearer {
   bool Update(const Step& step);
 
   const PlanningMap& map() const;
+  /// Its active surface elements, as of the map at present; the first who asks after a change does the work.
+  /// Always the same object.
+  const ActiveSurface& Surface();
   /// Version of the newest summary whose digest this map has, i.e. the base station's map is held whole; -1
   /// before one.
   std::int64_t map_version() const;

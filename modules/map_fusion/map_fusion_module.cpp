@@ -51,7 +51,6 @@ MapFusionModule::MapFusionModule(const ModuleContext& context)
              PolicyOf(config_.map), config_.quality_goals()),
       rotation_(fuser_.map().grid().num_blocks(),
                 static_cast<int>(std::floor(config_.map.rotation_s * config_.map.publish_hz))),
-      surface_(fuser_.map().grid(), MissionQuantisation(config_), config_.quality_goals()),
       no_view_left_(static_cast<std::size_t>(config_.mission.uavs), false),
       states_(bus_.HearAll(channels::kUavState)),
       scans_(bus_.HearAll(channels::kLidarScan)),
@@ -66,7 +65,7 @@ MapFusionModule::MapFusionModule(const ModuleContext& context)
 void MapFusionModule::Tick(const Step& step) {
   HearFleet();
   IntegrateScans();
-  if (hearer_->Update(step)) surface_.Update(hearer_->map());
+  hearer_->Update(step);
   if (blocks_to_say_.empty() && publish_.Due(step.now)) QueueBlocks();
   if (octree_to_say_.empty() && say_octree_ && say_octree_->Due(step.now)) QueueOctree();
   SayQueued();
@@ -162,7 +161,7 @@ bool MapFusionModule::NobodyHasAViewLeft() const {
 void MapFusionModule::SayProgress() {
   const std::int64_t version = std::max<std::int64_t>(hearer_->map_version(), 0);
   bus_.Publish(channels::kMissionProgress,
-               Encode(ProgressOf(hearer_->map(), surface_, NobodyHasAViewLeft(), version)));
+               Encode(ProgressOf(hearer_->map(), hearer_->Surface(), NobodyHasAViewLeft(), version)));
 }
 
 void MapFusionModule::WriteResults() {

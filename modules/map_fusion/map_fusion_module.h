@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/map/occupancy_tree.h"
-#include "core/quality/active_surface.h"
 #include "fusion/block_rotation.h"
 #include "fusion/map_fuser.h"
 #include "modules/channels.h"
@@ -54,7 +53,6 @@ class MapFusionModule : public Module {
 
   fusion::MapFuser fuser_;
   fusion::BlockRotation rotation_;
-  ActiveSurface surface_;
   OccupancyTree octree_;
   FleetPositions positions_;
   CloudChunks chunks_;

@@ -20,11 +20,7 @@ constexpr double kTrailSpacing_m = 0.1;
 }
 
 SceneHearer::SceneHearer(const ModuleContext& context)
-    : bus_(context.bus),
-      uavs_(context.config.mission.uavs),
-      map_hearer_(context.map_hearer),
-      surface_(map_hearer_->map().grid(), map_hearer_->map().quantisation(), context.config.quality_goals()),
-      inboxes_(bus_) {
+    : bus_(context.bus), uavs_(context.config.mission.uavs), map_hearer_(context.map_hearer), inboxes_(bus_) {
   const MissionConfig& config = context.config;
   scene_.mission = config.mission.name;
   scene_.strategy = config.planner.strategy + ", seed " + std::to_string(config.mission.seed);
@@ -107,13 +103,13 @@ void SceneHearer::HearProgress() {
 }
 
 const viz::Scene& SceneHearer::Finish() {
-  surface_.Update(map_hearer_->map());
+  const ActiveSurface& surface = map_hearer_->Surface();
   scene_.incomplete_W.clear();
   scene_.low_quality_W.clear();
-  const VoxelGrid& grid = surface_.grid();
-  for (const std::uint32_t linear : surface_.elements()) {
+  const VoxelGrid& grid = surface.grid();
+  for (const std::uint32_t linear : surface.elements()) {
     const Eigen::Vector3f p_W = grid.Centre(grid.FromLinear(linear)).cast<float>();
-    (surface_.At(linear) == SurfaceClass::kIse ? scene_.incomplete_W : scene_.low_quality_W).push_back(p_W);
+    (surface.At(linear) == SurfaceClass::kIse ? scene_.incomplete_W : scene_.low_quality_W).push_back(p_W);
   }
   return scene_;
 }

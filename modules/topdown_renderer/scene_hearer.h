@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/quality/active_surface.h"
 #include "modules/fleet_inboxes.h"
 #include "modules/runtime/module.h"
 #include "viz/scene.h"
@@ -32,7 +31,6 @@ class SceneHearer {
   Bus& bus_;
   int uavs_;
   std::shared_ptr<MapHearer> map_hearer_;
-  ActiveSurface surface_;
   viz::Scene scene_;
   Utime assignment_expiry_ = 0;
   std::int64_t newest_plan_ = 0;

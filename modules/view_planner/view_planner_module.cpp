@@ -34,7 +34,7 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
       path_search_(map_hearer_->map(), context.config.uav.limits, context.config.planner.path_margin_m),
       topological_grid_(map_hearer_->map()),
       planner_(
-          context.config, uav_, map_hearer_->map(),
+          context.config, uav_, map_hearer_->map(), map_hearer_->Surface(),
           [this](const auto& start_W, const auto& goal_W, const auto& avoid) {
             return FindPath(start_W, goal_W, avoid);
           },
@@ -74,6 +74,7 @@ void ViewPlannerModule::Tick(const Step& step) {
   HearAll(step.now);
   if (map_changed) {
     const CpuStopwatch stopwatch;
+    map_hearer_->Surface();
     planner_.HearMap(step.now);
     health_.Sample("surface_ms", stopwatch.ms());
   }

@@ -24,15 +24,15 @@ double SettleTime(const MissionConfig& config) {
 
 }  // namespace
 
-ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, FindPath find_path,
-                         LengthsFrom lengths_from)
+ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map,
+                         const ActiveSurface& surface, FindPath find_path, LengthsFrom lengths_from)
     : config_(config),
       uav_(uav),
       map_(map),
       find_path_(std::move(find_path)),
       lengths_from_(std::move(lengths_from)),
       window_(config.lidar.model),
-      surface_(map.grid(), map.quantisation(), config.quality_goals()),
+      surface_(surface),
       reachable_(map, config.uav.limits, config.planner.path_margin_m),
       generator_(map, window_, [this](const Eigen::Vector3d& p_W) { return MayStand(p_W); },
                  {config.quality.eta_m, config.map.weight_policy != "best_view"}),
@@ -64,7 +64,6 @@ void ViewPlanner::HearAssignment(const FleetAssignment& assignment, Utime now) {
 
 void ViewPlanner::HearMap(Utime now) {
   if (first_map_ < 0) first_map_ = now;
-  surface_.Update(map_);
   memory_.Update(map_, surface_);
   map_is_new_ = true;
 }
@@ -74,7 +73,7 @@ bool ViewPlanner::Active(std::uint32_t voxel) const {
 }
 
 bool ViewPlanner::MayStand(const Eigen::Vector3d& p_W) const {
-  return reachable_.Reaches(p_W) && reachable_.space().Slack(p_W) >= 0;
+  return reachable_.Reaches(p_W) && reachable_.space().Safe(p_W);
 }
 
 TrajectoryPoint ViewPlanner::Ahead(Utime now) const {

@@ -38,9 +38,9 @@ class ViewPlanner {
       std::function<std::optional<Path>(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                         const std::vector<PlanningMap::Ball>& avoid)>;
 
-  /// @param map followed, not copied  @throws ConfigError for an unknown strategy
-  ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, FindPath find_path,
-              LengthsFrom lengths_from);
+  /// @param map,surface followed, not copied  @throws ConfigError for an unknown strategy
+  ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, const ActiveSurface& surface,
+              FindPath find_path, LengthsFrom lengths_from);
   ~ViewPlanner();
 
   void HearState(int uav, const UavState& state, Utime now);
@@ -49,7 +49,7 @@ class ViewPlanner {
   void HearFlight(const FlightStatus& flight) { flight_ = flight; }
   void HearTrajectory(const Trajectory& trajectory) { trajectory_ = trajectory; }
 
-  /// Follows the map, after it has changed.
+  /// Follows the map and its surface, after they have changed.
   void HearMap(Utime now);
 
   /// Has every selection told from now on; costs the scores of all views.
@@ -148,7 +148,7 @@ class ViewPlanner {
   HearDecision hear_decision_;
   LengthsFrom lengths_from_;
   SensorWindow window_;
-  ActiveSurface surface_;
+  const ActiveSurface& surface_;
   ReachableSet reachable_;
   ViewGenerator generator_;
   ElementMemory memory_;

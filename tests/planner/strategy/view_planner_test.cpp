@@ -20,7 +20,7 @@ class ViewPlannerTest : public ::testing::Test {
     config.planner.balance = false;
     for (int uav = 1; uav <= uavs; ++uav) {
       planners.push_back(std::make_unique<ViewPlanner>(
-          config, uav, world.map,
+          config, uav, world.map, surface,
           [](const auto& start_W, const auto& goal_W, const auto&) -> std::optional<Path> {
             Path path;
             path.waypoints = {{start_W, 1}, {goal_W, 1}};
@@ -32,6 +32,7 @@ class ViewPlannerTest : public ::testing::Test {
     }
     statuses.resize(uavs);
     outcomes.resize(uavs);
+    surface.Update(world.map);
     for (auto& planner : planners) planner->HearMap(0);
   }
   void Step() {
@@ -49,6 +50,7 @@ class ViewPlannerTest : public ::testing::Test {
 
   testing::RandomMap world{33, {16, 12, 8}, 3};
   MissionConfig config;
+  ActiveSurface surface{world.map.grid(), world.map.quantisation(), config.quality_goals()};
   Utime now = 0;
   std::vector<std::unique_ptr<ViewPlanner>> planners;
   std::vector<UavState> states;
