@@ -1,6 +1,8 @@
 #include "core/quality/map_quality.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace citrine {
 
@@ -33,7 +35,15 @@ MapQualities QualityOf(const PlanningMap& map, const ActiveSurface& surface,
   const VoxelGrid& grid = surface.grid();
   const QualityGoals& goals = surface.goals();
   std::vector<Sums> parts(goals.regions().size() + 1);
-  for (std::size_t i = 0; i < surface.classes().size(); ++i) {
+  const std::vector<std::uint8_t>& classes = surface.classes();
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (std::uint64_t eight; i % kBlockSide == 0 && i + kBlockSide <= classes.size()) {
+      std::memcpy(&eight, &classes[i], sizeof eight);
+      if (eight == 0) {
+        i += kBlockSide - 1;
+        continue;
+      }
+    }
     const SurfaceClass c = surface.At(i);
     if (c != SurfaceClass::kReached && c != SurfaceClass::kLqse && c != SurfaceClass::kIse) continue;
     const std::size_t part = goals.PartOf(grid.Centre(grid.FromLinear(i)));
