@@ -37,26 +37,6 @@ DirtyBox Grow(const DirtyBox& box, int by, const VoxelGrid& grid) {
   return {(box.min.array() - by).max(0), (box.max.array() + by).min(grid.voxels().array())};
 }
 
-/// Squared distance along x to the nearest site of the row, capped. @param first  x of out[0]
-template <class T>
-void DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row_size, int radius, T* out) {
-  int distance = radius;
-  for (int x = std::max(0, first - radius); x < first; ++x)
-    distance = is_site[x] ? 0 : std::min(distance + 1, radius);
-  for (int i = 0; i < count; ++i) {
-    distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
-    out[i] = static_cast<T>(distance);
-  }
-  distance = radius;
-  for (int x = std::min(row_size, first + count + radius) - 1; x >= first + count; --x)
-    distance = is_site[x] ? 0 : std::min(distance + 1, radius);
-  for (int i = count - 1; i >= 0; --i) {
-    distance = is_site[first + i] ? 0 : std::min(distance + 1, radius);
-    const int nearest = std::min<int>(out[i], distance);
-    out[i] = static_cast<T>(nearest * nearest);
-  }
-}
-
 /// min over |k| < radius of in[at + k] + k^2 in all lanes; rows lie `stride` apart, and `below`, `above` of
 /// them exist.
 template <class T>
@@ -75,6 +55,45 @@ __m256i LowerEnvelope(const T* at, std::ptrdiff_t stride, int below, int above, 
   return best;
 }
 
+/// Squared distance along x to the nearest site of the row, capped; zero beyond `count`. @param first  x of
+/// out[0] @param near  room for 2 `radius` + `width` lanes @return whether there is a site within the radius
+template <class T>
+bool DistanceAlongRow(const std::uint8_t* is_site, int first, int count, int row_size, int radius, int width,
+                      std::vector<T>& near, T* out) {
+  const int begin = std::max(0, first - radius), end = std::min(row_size, first + count + radius);
+  std::uint8_t any = 0;
+  for (int x = begin; x < end; ++x) any |= is_site[x];
+  const T cap = static_cast<T>(radius * radius);
+  if (!any) {
+    std::fill_n(out, count, cap);
+    std::fill(out + count, out + width, T{0});
+    return false;
+  }
+  std::fill(near.begin(), near.end(), cap);
+  T* const at_first = &near[static_cast<std::size_t>(radius)];
+  for (int x = begin; x < end; ++x) at_first[x - first] = is_site[x] ? T{0} : cap;
+  for (int x = 0; x < width; x += Squares<T>::kLanes)
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + x),
+                        LowerEnvelope(at_first + x, 1, radius, radius, radius));
+  std::fill(out + count, out + width, T{0});
+  return true;
+}
+
+/// Which of the layers have one with a site fewer than `radius` away.
+std::vector<std::uint8_t> NearSites(const std::vector<std::uint8_t>& has_site, int radius) {
+  const int count = static_cast<int>(has_site.size());
+  std::vector<std::uint8_t> near(has_site.size(), 0);
+  for (int i = 0, last = -radius; i < count; ++i) {
+    if (has_site[i]) last = i;
+    near[i] = i - last < radius;
+  }
+  for (int i = count, next = count + radius; i-- > 0;) {
+    if (has_site[i]) next = i;
+    near[i] |= next - i < radius;
+  }
+  return near;
+}
+
 /// DistanceField::Update, on numbers of one kind.
 template <class T>
 void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint8_t>& is_site,
@@ -86,20 +105,27 @@ void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint
   const int width = (size.x() + kLanes - 1) / kLanes * kLanes;
   const int in_y = in_size.y(), in_z = in_size.z(), out_y = size.y();
 
-  std::vector<T> along_x(static_cast<std::size_t>(width) * in_y * in_z, 0);
-  for (int z = 0; z < in_z; ++z)
+  const T cap_vox2 = static_cast<T>(radius_vox * radius_vox);
+  std::vector<T> along_x(static_cast<std::size_t>(width) * in_y * in_z);
+  std::vector<T> along_xy(static_cast<std::size_t>(width) * out_y * in_z, cap_vox2);
+  std::vector<T> near(static_cast<std::size_t>(2 * radius_vox + width));
+  std::vector<std::uint8_t> row_has_site(static_cast<std::size_t>(in_y));
+  std::vector<std::uint8_t> plane_has_site(static_cast<std::size_t>(in_z));
+  const int skipped_y = out.min.y() - in.min.y();
+  for (int z = 0; z < in_z; ++z) {
     for (int y = 0; y < in_y; ++y) {
       const std::size_t row = grid.Linear({0, in.min.y() + y, in.min.z() + z});
-      DistanceAlongRow(&is_site[row], out.min.x(), size.x(), grid.voxels().x(), radius_vox,
-                       &along_x[static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(in_y) * z)]);
+      row_has_site[y] = DistanceAlongRow(
+          &is_site[row], out.min.x(), size.x(), grid.voxels().x(), radius_vox, width, near,
+          &along_x[static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(in_y) * z)]);
+      plane_has_site[z] |= row_has_site[y];
     }
-
-  std::vector<T> along_xy(static_cast<std::size_t>(width) * out_y * in_z);
-  const int skipped_y = out.min.y() - in.min.y();
-  for (int z = 0; z < in_z; ++z)
-    for (int y = 0; y < out_y; ++y)
+    if (!plane_has_site[z]) continue;
+    const std::vector<std::uint8_t> near_row = NearSites(row_has_site, radius_vox);
+    for (int y = 0; y < out_y; ++y) {
+      const int from = y + skipped_y;
+      if (!near_row[from]) continue;
       for (int x = 0; x < width; x += kLanes) {
-        const int from = y + skipped_y;
         const __m256i best = LowerEnvelope(
             &along_x[x + static_cast<std::size_t>(width) * (from + static_cast<std::size_t>(in_y) * z)],
             width, from, in_y - 1 - from, radius_vox);
@@ -108,7 +134,10 @@ void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint
                 &along_xy[x + static_cast<std::size_t>(width) * (y + static_cast<std::size_t>(out_y) * z)]),
             best);
       }
+    }
+  }
 
+  const std::vector<std::uint8_t> near_plane = NearSites(plane_has_site, radius_vox);
   const __m256i cap = Squares<T>::Set(radius_vox * radius_vox);
   const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(width) * out_y;
   const int skipped_z = out.min.z() - in.min.z();
@@ -117,6 +146,10 @@ void UpdateAs(const VoxelGrid& grid, int radius_vox, const std::vector<std::uint
     for (int y = 0; y < out_y; ++y) {
       const int from = z + skipped_z;
       const std::size_t row = grid.Linear({out.min.x(), out.min.y() + y, out.min.z() + z});
+      if (!near_plane[from]) {
+        std::fill_n(&squared[row], size.x(), static_cast<std::uint16_t>(cap_vox2));
+        continue;
+      }
       for (int x = 0; x < width; x += kLanes) {
         const __m256i best = LowerEnvelope(&along_xy[x + static_cast<std::size_t>(width) * y + plane * from],
                                            plane, from, in_z - 1 - from, radius_vox);
