@@ -24,15 +24,14 @@ PoseLattice::PoseLattice(const VoxelGrid& grid, const std::function<bool(const E
 
 PoseLattice::Box PoseLattice::Around(const Eigen::Vector3d& centre_W, double radius_m) const {
   const Eigen::Array3d step_m = grid_.voxel_m() * stride_.cast<double>().array();
-  const Eigen::Array3d middle = (centre_W - At(0)).array() / step_m;
+  const Eigen::Array3d middle = (centre_W - At(std::size_t{0})).array() / step_m;
   return {(middle - radius_m / step_m).ceil().cast<int>().max(0),
           ((middle + radius_m / step_m).floor().cast<int>() + 1).min(size_.array())};
 }
 
 Eigen::Vector3d PoseLattice::At(std::size_t pose) const {
   const int i = static_cast<int>(pose);
-  const Eigen::Vector3i at(i % size_.x(), i / size_.x() % size_.y(), i / size_.x() / size_.y());
-  return grid_.Centre(grid_.inside_min() + stride_.cwiseProduct(at));
+  return At(Eigen::Vector3i(i % size_.x(), i / size_.x() % size_.y(), i / size_.x() / size_.y()));
 }
 
 bool PoseLattice::Allowed(std::size_t pose, const Eigen::Vector3d& p_W) {

@@ -17,17 +17,21 @@ class PoseLattice {
   /// @param allowed asked at most once a pose; outlives the lattice
   PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed);
 
-  /// Calls visit(pose, p_W) for every allowed pose within a radius.
-  template <typename Visit>
-  void Within(const Eigen::Vector3d& centre_W, double radius_m, const Visit& visit) {
+  /// Calls visit(pose, p_W) for every allowed pose within a radius for which counts(pose).
+  template <typename Counts, typename Visit>
+  void Within(const Eigen::Vector3d& centre_W, double radius_m, const Counts& counts, const Visit& visit) {
     const Box box = Around(centre_W, radius_m);
-    for (int z = box.lo.z(); z < box.hi.z(); ++z)
-      for (int y = box.lo.y(); y < box.hi.y(); ++y)
-        for (int x = box.lo.x(); x < box.hi.x(); ++x) {
-          const std::size_t pose = static_cast<std::size_t>((z * size_.y() + y) * size_.x() + x);
-          const Eigen::Vector3d p_W = At(pose);
+    Eigen::Vector3i at;
+    for (at.z() = box.lo.z(); at.z() < box.hi.z(); ++at.z())
+      for (at.y() = box.lo.y(); at.y() < box.hi.y(); ++at.y()) {
+        at.x() = box.lo.x();
+        std::size_t pose = static_cast<std::size_t>((at.z() * size_.y() + at.y()) * size_.x() + at.x());
+        for (; at.x() < box.hi.x(); ++at.x(), ++pose) {
+          if (!counts(pose)) continue;
+          const Eigen::Vector3d p_W = At(at);
           if ((p_W - centre_W).squaredNorm() <= radius_m * radius_m && Allowed(pose, p_W)) visit(pose, p_W);
         }
+      }
   }
 
   Eigen::Vector3d At(std::size_t pose) const;
@@ -47,6 +51,9 @@ class PoseLattice {
     Eigen::Vector3i lo, hi;
   };
   Box Around(const Eigen::Vector3d& centre_W, double radius_m) const;
+  Eigen::Vector3d At(const Eigen::Vector3i& at) const {
+    return grid_.Centre(grid_.inside_min() + stride_.cwiseProduct(at));
+  }
   bool Allowed(std::size_t pose, const Eigen::Vector3d& p_W);
 
   const VoxelGrid& grid_;

@@ -76,9 +76,9 @@ std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map
   std::vector<std::uint32_t> unsettled;
   for (const Alike& alike : groups) {
     bool settled = false;
-    lattice.Within(alike.element->p_W, ReachOf(*alike.element, window),
+    lattice.Within(alike.element->p_W, ReachOf(*alike.element, window), counts,
                    [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
-                     if (!counts(pose) || !WellSeen(map, *alike.element, window, pose_W)) return;
+                     if (!WellSeen(map, *alike.element, window, pose_W)) return;
                      lattice.worth(pose) += alike.worth;
                      settled = true;
                    });
