@@ -43,13 +43,16 @@ std::uint64_t SafeSpace::SafeVoxels(std::size_t first, int begin, int end) const
                             _mm256_cmpeq_epi16(_mm256_max_epu16(u, unknown_least), u));
   };
   std::uint64_t bits = 0;
-  int i = begin;
-  for (; i + 32 <= end; i += 32) {
+  if (end - begin < 32) {
+    for (int i = begin; i < end; ++i)
+      bits |= static_cast<std::uint64_t>(SafeVoxel(first + static_cast<std::size_t>(i))) << i;
+    return bits;
+  }
+  for (int i = begin; i < end; i += 32) {
+    i = std::min(i, end - 32);  // the last ones overlap
     const __m256i bytes = _mm256_permute4x64_epi64(_mm256_packs_epi16(safe16(i), safe16(i + 16)), 0xd8);
     bits |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm256_movemask_epi8(bytes))) << i;
   }
-  for (; i < end; ++i)
-    bits |= static_cast<std::uint64_t>(SafeVoxel(first + static_cast<std::size_t>(i))) << i;
   return bits;
 }
 

@@ -99,8 +99,8 @@ std::optional<View> ViewGenerator::Around(const Element& element) const {
       if (distance > useful || distance < window_.range_min_m()) continue;
       const Eigen::Vector3d p_W = element.p_W + distance * fan_[order[k].second];
       if (!safe_(p_W)) continue;
-      const Sight sight = LookAt(map_, element, p_W);
-      if (sight.clear && sight.unknown == 0) return Make(p_W, element, View::Kind::kAround);
+      const Sight sight = LookAt(map_, element, p_W, 0);
+      if (sight.clear) return Make(p_W, element, View::Kind::kAround);
     }
   return std::nullopt;
 }
@@ -142,7 +142,7 @@ std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers
     const Eigen::Vector3d p_W = grid.Centre(v);
     if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;
     if (answer == Answer::kUnsafe) continue;
-    const Sight sight = LookAt(map_, element, p_W);
+    const Sight sight = LookAt(map_, element, p_W, best_cost.first);
     const std::pair<int, double> cost{sight.unknown, off};
     if (!sight.clear || cost >= best_cost) continue;
     best = Make(p_W, element, View::Kind::kAround);

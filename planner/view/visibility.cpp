@@ -6,7 +6,7 @@
 
 namespace citrine::planner {
 
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W) {
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W, int unknown_max) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const VoxelGrid& grid = map.grid();
   const VoxelIndex end = grid.IndexOf(view_W);
@@ -42,8 +42,8 @@ Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector
     if (touching) touching = full[axis] - left[axis] <= 1;
     if (state == static_cast<std::uint8_t>(VoxelState::kOccupied)) {
       if (!touching || !in_front) return sight;
-    } else {
-      sight.unknown += state == static_cast<std::uint8_t>(VoxelState::kUnknown);
+    } else if (state == static_cast<std::uint8_t>(VoxelState::kUnknown)) {
+      if (++sight.unknown > unknown_max) return sight;
     }
   }
   sight.clear = true;

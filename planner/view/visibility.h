@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -21,7 +22,9 @@ struct Sight {
 /// The element's own voxel and the view's occlude nothing. Voxels that touch the element (the 26 around it)
 /// belong to the same surface: occupied ones do not occlude it from a view in front of it, that is where
 /// normal . (view - element) > 0. A view outside the grid sees nothing.
-Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W);
+/// @param unknown_max  if there are more unknown voxels the walk ends, and the sight is not clear
+Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
+             int unknown_max = std::numeric_limits<int>::max());
 
 /// The same for eight elements at once, which is faster.
 std::array<Sight, 8> LookAtEight(const PlanningMap& map, const std::array<const Element*, 8>& elements,

@@ -21,8 +21,7 @@ bool WellSeen(const PlanningMap& map, const Element& element, const SensorWindow
       elevation > window.elevation_max_rad() - kInside_rad)
     return false;
   if (!element.normal_W.isZero() && -element.normal_W.dot(to) < kGrazing * distance) return false;
-  const Sight sight = LookAt(map, element, p_W);
-  return sight.clear && sight.unknown == 0;
+  return LookAt(map, element, p_W, 0).clear;
 }
 
 std::vector<std::uint32_t> WellSeenFrom(const PlanningMap& map, const std::vector<Element>& elements,

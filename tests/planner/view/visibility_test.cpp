@@ -34,6 +34,13 @@ TEST(LookAt, CountsTheVoxelsOfAnIndependentWalkStrictlyInBetween) {
       return !occupied;
     });
     const Sight sight = LookAt(world.map, e, view_W);
+    for (const int most : {0, 1, 3, 1000}) {
+      const Sight limited = LookAt(world.map, e, view_W, most);
+      ASSERT_EQ(limited.clear, sight.clear && sight.unknown <= most);
+      if (limited.clear) {
+        ASSERT_EQ(limited.unknown, sight.unknown);
+      }
+    }
     ASSERT_EQ(sight.clear, !occupied);
     ASSERT_EQ(sight.unknown, unknown);
     EXPECT_DOUBLE_EQ(Visibility(sight), occupied ? 0 : std::exp(-unknown));
