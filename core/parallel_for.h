@@ -1,22 +1,25 @@
 #pragma once
 
 #include <algorithm>
-#include <thread>
-#include <vector>
+#include <functional>
 
 namespace citrine {
 
-/// Calls work(begin, end) on `parts` equal parts of [0, count), each on a thread of its own. What each part
-/// does must not depend on the others; then the result does not depend on the number of parts.
+/// Calls run(part) once for each part from 0 on, on this thread and on those of a pool as far as they are
+/// idle; on this one alone while another thread has the pool. What each part does must not depend on the
+/// others. Throws what a part has thrown, the lowest one's, once all are over.
+void RunParts(int parts, const std::function<void(int part)>& run);
+
+/// Calls work(begin, end) on `parts` equal parts of [0, count), as above. The result does not depend on the
+/// number of threads; nor on that of parts, if what is done for one element does not depend on the others.
 template <class Work>
 void ParallelFor(int count, int parts, Work&& work) {
   parts = std::clamp(parts, 1, std::max(count, 1));
   const auto begin = [&](int part) { return static_cast<int>(static_cast<long long>(count) * part / parts); };
-  std::vector<std::thread> threads;
-  for (int part = 1; part < parts; ++part)
-    threads.emplace_back([&, part] { work(begin(part), begin(part + 1)); });
-  work(begin(0), begin(1));
-  for (std::thread& thread : threads) thread.join();
+  if (parts == 1)
+    work(0, count);
+  else
+    RunParts(parts, [&](int part) { work(begin(part), begin(part + 1)); });
 }
 
 }  // namespace citrine

@@ -10,11 +10,15 @@
 
 namespace citrine::fusion {
 
+namespace {
+constexpr int kParts = 8;  ///< of a scan's blocks, that threads take
+}  // namespace
+
 MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation,
                    WeightPolicy policy, const QualityGoals& goals)
     : map_(grid, truncation_m),
       quantisation_(quantisation),
-      integrator_(map_, policy),
+      integrator_(map_, policy, kParts),
       touched_(grid.num_blocks(), 0),
       said_(grid.num_blocks()) {
   const auto reaches = [&](int code, const QualityGoal& goal) {

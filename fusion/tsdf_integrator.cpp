@@ -18,8 +18,8 @@ constexpr std::size_t kTogether = 16;
 
 }  // namespace
 
-TsdfIntegrator::TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int threads)
-    : map_(map), policy_(policy), threads_(threads), fuser_(map.truncation_m(), policy) {}
+TsdfIntegrator::TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int parts)
+    : map_(map), policy_(policy), parts_(parts), fuser_(map.truncation_m(), policy) {}
 
 std::vector<int> TsdfIntegrator::Integrate(const LidarScan& scan) {
   image_.Take(scan, map_.grid().voxel_m());
@@ -28,7 +28,7 @@ std::vector<int> TsdfIntegrator::Integrate(const LidarScan& scan) {
   FindCandidates(view);
   const int count = static_cast<int>(candidates_.size());
   changed_.assign(candidates_.size(), 0);
-  ParallelFor(count, threads_, [&](int begin, int end) {
+  ParallelFor(count, parts_, [&](int begin, int end) {
     BrickFinder finder;
     for (int first = begin; first < end; first += kBlocksTogether)
       IntegrateBlocks(view, first, std::min(first + kBlocksTogether, end), finder);

@@ -22,8 +22,9 @@ namespace citrine::fusion {
 /// bit as if every voxel were looked up.
 class TsdfIntegrator {
  public:
-  /// @param threads  that share the blocks of a scan; the map is the same to the bit for any number
-  TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int threads = 1);
+  /// @param parts  of the blocks of a scan, for threads to take; the map is the same to the bit for any
+  /// number
+  TsdfIntegrator(TsdfMap& map, WeightPolicy policy, int parts = 1);
 
   /// @return the blocks in which anything changed that could be said, ascending
   std::vector<int> Integrate(const LidarScan& scan);
@@ -36,7 +37,7 @@ class TsdfIntegrator {
 
   TsdfMap& map_;
   WeightPolicy policy_;
-  int threads_;
+  int parts_;
   BrickFuser fuser_;
   RangeImage image_;
   RangeBounds bounds_;

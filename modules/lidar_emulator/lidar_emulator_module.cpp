@@ -43,7 +43,7 @@ void LidarEmulatorModule::Tick(const Step& step) {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     Sensor& sensor = sensors_[i];
     if (!sensor.newest || sensor.scanned == sensor.newest->utime || !sensor.every.Due(step.now)) continue;
-    const CpuStopwatch stopwatch;
+    const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
     const LidarScan scan =
         emulator_.Scan(sensor.newest->utime, sensor.newest->X_WB, TeammatesOf(i), sensor.noise);
     sensor.scanned = scan.measured;

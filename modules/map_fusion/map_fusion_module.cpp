@@ -112,7 +112,7 @@ std::vector<std::pair<int, LidarScan>> MapFusionModule::TakeScans() {
 
 void MapFusionModule::IntegrateScans() {
   for (auto& [uav, scan] : TakeScans()) {
-    const CpuStopwatch stopwatch;
+    const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
     fusion::DropTeammates(scan, positions_.Others(uav, scan.measured));
     fuser_.Integrate(scan);
     health_.Sample("integration_ms", stopwatch.ms());

@@ -6,10 +6,13 @@
 
 #include <embree3/rtcore.h>
 
+#include "core/parallel_for.h"
+
 namespace citrine::sim {
 namespace {
 
 constexpr int kPacket = 8;
+constexpr int kPacketsAPart = 256;    ///< that a thread takes at once
 constexpr int kDirections = 14;       ///< of the test for solid
 constexpr int kEnclosedAtLeast = 12;  ///< of them
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -88,6 +91,33 @@ bool NearestTriangle(RTCPointQueryFunctionArguments* args) {
   return true;
 }
 
+/// Casts those of the packets of RayScene::Cast from `begin` to `end`.
+void CastPackets(RTCScene scene, const Eigen::Vector3f& origin_W, std::span<const Eigen::Vector3f> directions,
+                 float range_max_m, std::span<float> ranges_m, int begin, int end) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  for (int at = begin; at < end; ++at) {
+    const std::size_t first = static_cast<std::size_t>(at) * kPacket;
+    const int count = static_cast<int>(std::min<std::size_t>(kPacket, directions.size() - first));
+    alignas(32) int valid[kPacket];
+    alignas(32) RTCRayHit8 packet;
+    for (int i = 0; i < kPacket; ++i) {
+      valid[i] = i < count ? -1 : 0;
+      const Eigen::Vector3f& d = directions[first + std::min(i, count - 1)];
+      packet.ray.org_x[i] = origin_W.x(), packet.ray.org_y[i] = origin_W.y(),
+      packet.ray.org_z[i] = origin_W.z();
+      packet.ray.dir_x[i] = d.x(), packet.ray.dir_y[i] = d.y(), packet.ray.dir_z[i] = d.z();
+      packet.ray.tnear[i] = 0, packet.ray.tfar[i] = range_max_m;
+      packet.ray.time[i] = 0, packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
+      packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid, scene, &context, &packet);
+    for (int i = 0; i < count; ++i)
+      ranges_m[first + i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? kInfinity : packet.ray.tfar[i];
+  }
+}
+
 }  // namespace
 
 struct RayScene::Impl {
@@ -134,27 +164,10 @@ std::uint64_t RayScene::world_hash() const { return impl_->world_hash; }
 
 void RayScene::Cast(const Eigen::Vector3f& origin_W, std::span<const Eigen::Vector3f> directions,
                     float range_max_m, std::span<float> ranges_m) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  for (std::size_t first = 0; first < directions.size(); first += kPacket) {
-    const int count = static_cast<int>(std::min<std::size_t>(kPacket, directions.size() - first));
-    alignas(32) int valid[kPacket];
-    alignas(32) RTCRayHit8 packet;
-    for (int i = 0; i < kPacket; ++i) {
-      valid[i] = i < count ? -1 : 0;
-      const Eigen::Vector3f& d = directions[first + std::min(i, count - 1)];
-      packet.ray.org_x[i] = origin_W.x(), packet.ray.org_y[i] = origin_W.y(),
-      packet.ray.org_z[i] = origin_W.z();
-      packet.ray.dir_x[i] = d.x(), packet.ray.dir_y[i] = d.y(), packet.ray.dir_z[i] = d.z();
-      packet.ray.tnear[i] = 0, packet.ray.tfar[i] = range_max_m;
-      packet.ray.time[i] = 0, packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
-      packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    rtcIntersect8(valid, impl_->scene, &context, &packet);
-    for (int i = 0; i < count; ++i)
-      ranges_m[first + i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? kInfinity : packet.ray.tfar[i];
-  }
+  const int packets = static_cast<int>((directions.size() + kPacket - 1) / kPacket);
+  ParallelFor(packets, packets / kPacketsAPart, [&](int begin, int end) {
+    CastPackets(impl_->scene, origin_W, directions, range_max_m, ranges_m, begin, end);
+  });
 }
 
 RayScene::Hit RayScene::CastOne(const Eigen::Vector3f& origin_W, const Eigen::Vector3f& direction,

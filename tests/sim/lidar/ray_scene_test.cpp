@@ -32,7 +32,7 @@ TEST(RayScene, CastsPacketsAsSingleRays) {
   const RayScene scene(BoxWorld({{"a", Box(-1, -2, 0, 3, 1, 2)}, {"b", Box(-9, -9, -2, 9, 9, -1)}}));
   Random random(2);
   std::vector<Eigen::Vector3f> directions;
-  for (int i = 0; i < 1003; ++i) directions.push_back(RandomPoint(random, 1).normalized().cast<float>());
+  for (int i = 0; i < 10003; ++i) directions.push_back(RandomPoint(random, 1).normalized().cast<float>());
   const Eigen::Vector3f origin_W(-3, 0.5f, 3);
   std::vector<float> ranges_m(directions.size());
   scene.Cast(origin_W, directions, 20, ranges_m);
