@@ -137,7 +137,21 @@ TEST(OccupancyTree, HoldsTheClassOfEveryVoxelAndFollowsTheMap) {
       ASSERT_EQ(tree.At(map.grid().Centre(map.grid().FromLinear(i))), expected);
     }
   }
+  // OctoMap's own tree of the same voxels, set one after the other, is written the same.
+  octomap::OcTree whole(0.25);
+  for (std::size_t i = 0; i < map.grid().num_voxels(); ++i) {
+    if (map.state(i) == VoxelState::kUnknown) continue;
+    const Eigen::Vector3f p_W = map.grid().Centre(map.grid().FromLinear(i)).cast<float>();
+    whole.setNodeValue(
+        p_W.x(), p_W.y(), p_W.z(),
+        map.distance_m(i) < 0.125 ? whole.getClampingThresMaxLog() : whole.getClampingThresMinLog());
+  }
+  std::ostringstream expected_text;
+  expected_text << "id OcTree\nsize " << whole.size() << "\nres 0.25\ndata\n";
+  whole.writeBinaryData(expected_text);
   const std::vector<std::uint8_t> bytes = tree.Bytes();
+  const std::string text(bytes.begin(), bytes.end());
+  EXPECT_EQ(text.substr(std::min(text.find("id OcTree"), text.size())), expected_text.str());
   std::istringstream stream(std::string(bytes.begin(), bytes.end()));
   octomap::OcTree read(1.0);
   ASSERT_TRUE(read.readBinary(stream));
