@@ -25,18 +25,19 @@ struct Four {
 
 bool Any(Whole truth) { return _mm256_movemask_pd(reinterpret_cast<Reals>(truth)) != 0; }
 
-Four Begin(const VoxelGrid& grid, const Element* const* elements, const Eigen::Vector3d& view_W,
-           const VoxelIndex& end) {
+Four Begin(const VoxelGrid& grid, const Element* const* elements, const Eigen::Vector3d* const* views_W) {
   const std::int64_t strides[3] = {1, static_cast<std::int64_t>(grid.stride_y()),
                                    static_cast<std::int64_t>(grid.stride_z())};
   Four rays;
   rays.steps = Whole{};
+  VoxelIndex ends[4];
+  for (int k = 0; k < 4; ++k) ends[k] = grid.IndexOf(*views_W[k]);
   for (int axis = 0; axis < 3; ++axis) {
     Whole voxels;
     Reals along;
     for (int k = 0; k < 4; ++k) {
-      voxels[k] = end[axis] - elements[k]->voxel[axis];
-      along[k] = std::abs(view_W[axis] - elements[k]->p_W[axis]);
+      voxels[k] = ends[k][axis] - elements[k]->voxel[axis];
+      along[k] = std::abs((*views_W[k])[axis] - elements[k]->p_W[axis]);
     }
     const Whole forward = voxels > 0;
     rays.left[axis] = forward ? voxels : -voxels;
@@ -48,9 +49,10 @@ Four Begin(const VoxelGrid& grid, const Element* const* elements, const Eigen::V
   }
   for (int k = 0; k < 4; ++k) {
     rays.at[k] = elements[k]->linear;
-    rays.in_front[k] = elements[k]->normal_W.dot(view_W - elements[k]->p_W) > 0 ? -1 : 0;
+    rays.in_front[k] = elements[k]->normal_W.dot(*views_W[k] - elements[k]->p_W) > 0 ? -1 : 0;
+    rays.hidden[k] = grid.Contains(ends[k]) ? 0 : -1;
   }
-  rays.walking = rays.steps > 1;
+  rays.walking = (rays.steps > 1) & ~rays.hidden;
   return rays;
 }
 
@@ -88,17 +90,15 @@ void Advance(Four& rays, const std::uint8_t* states, int i) {
 }  // namespace
 
 std::array<Sight, 8> LookAtEight(const PlanningMap& map, const std::array<const Element*, 8>& elements,
-                                 const Eigen::Vector3d& view_W) {
-  const VoxelIndex end = map.grid().IndexOf(view_W);
-  std::array<Sight, 8> sights;
-  if (!map.grid().Contains(end)) return sights;
-  Four first = Begin(map.grid(), &elements[0], view_W, end);
-  Four second = Begin(map.grid(), &elements[4], view_W, end);
+                                 const std::array<const Eigen::Vector3d*, 8>& views_W) {
+  Four first = Begin(map.grid(), &elements[0], &views_W[0]);
+  Four second = Begin(map.grid(), &elements[4], &views_W[4]);
   const std::uint8_t* const states = map.states().data();
   for (int i = 1; Any(first.walking | second.walking); ++i) {
     Advance(first, states, i);
     Advance(second, states, i);
   }
+  std::array<Sight, 8> sights;
   for (int k = 0; k < 4; ++k) {
     sights[k] = {first.hidden[k] == 0, static_cast<int>(first.unknown[k])};
     sights[k + 4] = {second.hidden[k] == 0, static_cast<int>(second.unknown[k])};

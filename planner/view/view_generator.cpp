@@ -29,6 +29,53 @@ Eigen::Vector3d Direction(double azimuth_rad, double elevation_rad) {
           std::sin(elevation_rad)};
 }
 
+/// Of the poses tried that see an element: the first of those with the fewest unknown voxels in between, then
+/// the least off the best distance. Looks from eight at once.
+class BestPose {
+ public:
+  BestPose(const PlanningMap& map, const Element& element) : map_(map) { elements_.fill(&element); }
+
+  /// Whether a pose that far off cannot be better than what has been found.
+  bool NoneBetterAt(double off_m) const { return unknown_ == 0 && off_m >= off_m_; }
+  void Try(const Eigen::Vector3d& p_W, double off_m) {
+    tried_[static_cast<std::size_t>(count_++)] = {p_W, off_m};
+    if (count_ == 8) Look();
+  }
+  std::optional<Eigen::Vector3d> Found() {
+    Look();
+    return found_W_;
+  }
+
+ private:
+  struct Tried {
+    Eigen::Vector3d p_W;
+    double off_m;
+  };
+  void Look() {
+    if (count_ == 0) return;
+    std::array<const Eigen::Vector3d*, 8> views_W;
+    for (int k = 0; k < 8; ++k)
+      views_W[static_cast<std::size_t>(k)] = &tried_[static_cast<std::size_t>(std::min(k, count_ - 1))].p_W;
+    const std::array<Sight, 8> sights = LookAtEight(map_, elements_, views_W);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) {
+      if (!sights[k].clear || std::pair(sights[k].unknown, tried_[k].off_m) >= std::pair(unknown_, off_m_))
+        continue;
+      found_W_ = tried_[k].p_W;
+      unknown_ = sights[k].unknown;
+      off_m_ = tried_[k].off_m;
+    }
+    count_ = 0;
+  }
+
+  const PlanningMap& map_;
+  std::array<const Element*, 8> elements_;
+  std::array<Tried, 8> tried_;
+  int count_ = 0;
+  std::optional<Eigen::Vector3d> found_W_;
+  int unknown_ = 1 << 20;
+  double off_m_ = 0;
+};
+
 }  // namespace
 
 ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window, Safe safe,
@@ -128,27 +175,22 @@ std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers
   answers.of_pose_.resize(static_cast<std::size_t>(size.prod()), Answer::kNotAsked);
   const double useful = UsefulRange(element);
   const double best_distance = Distances(element)[0].first;
-  std::optional<View> best;
-  std::pair<int, double> best_cost{1 << 20, 0};
+  BestPose best(map_, element);
   for (const LatticePose& pose : LatticeAround(element.voxel)) {
     const VoxelIndex v = element.voxel + pose.off.cast<int>();
     if (pose.distance_m > useful || !grid.Inside(v)) continue;
-    const double off = std::abs(pose.distance_m - best_distance);
-    if (best && best_cost.first == 0 && off >= best_cost.second) continue;
+    const double off_m = std::abs(pose.distance_m - best_distance);
+    if (best.NoneBetterAt(off_m)) continue;
     const Eigen::Vector3i at = v / stride_;
     Answer& answer =
         answers.of_pose_[static_cast<std::size_t>((at.z() * size.y() + at.y()) * size.x() + at.x())];
     if (answer == Answer::kUnsafe) continue;
     const Eigen::Vector3d p_W = grid.Centre(v);
     if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;
-    if (answer == Answer::kUnsafe) continue;
-    const Sight sight = LookAt(map_, element, p_W, best_cost.first);
-    const std::pair<int, double> cost{sight.unknown, off};
-    if (!sight.clear || cost >= best_cost) continue;
-    best = Make(p_W, element, View::Kind::kAround);
-    best_cost = cost;
+    if (answer == Answer::kSafe) best.Try(p_W, off_m);
   }
-  return best;
+  const std::optional<Eigen::Vector3d> p_W = best.Found();
+  return p_W ? std::optional<View>(Make(*p_W, element, View::Kind::kAround)) : std::nullopt;
 }
 
 bool ViewGenerator::Holds(const View& view, const Element& element) const {

@@ -26,9 +26,15 @@ struct Sight {
 Sight LookAt(const PlanningMap& map, const Element& element, const Eigen::Vector3d& view_W,
              int unknown_max = std::numeric_limits<int>::max());
 
-/// The same for eight elements at once, which is faster.
+/// The same for eight pairs of an element and a view at once, which is faster.
 std::array<Sight, 8> LookAtEight(const PlanningMap& map, const std::array<const Element*, 8>& elements,
-                                 const Eigen::Vector3d& view_W);
+                                 const std::array<const Eigen::Vector3d*, 8>& views_W);
+inline std::array<Sight, 8> LookAtEight(const PlanningMap& map, const std::array<const Element*, 8>& elements,
+                                        const Eigen::Vector3d& view_W) {
+  std::array<const Eigen::Vector3d*, 8> views_W;
+  views_W.fill(&view_W);
+  return LookAtEight(map, elements, views_W);
+}
 
 /// exp(-u): the probability that nothing unknown hides the element (eq. 7).
 double ClearProbability(int unknown);

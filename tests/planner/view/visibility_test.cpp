@@ -72,6 +72,19 @@ TEST(LookAtEight, SeesWhatLookAtSeesEightTimes) {
       hidden += !sight.clear;
     }
     outside += !world.map.grid().Contains(world.map.grid().IndexOf(view_W));
+
+    std::array<Eigen::Vector3d, 8> each_W;
+    std::array<const Eigen::Vector3d*, 8> views_W;
+    for (std::size_t k = 0; k < 8; ++k) {
+      each_W[k] = world.Point({16, 10, 8});
+      views_W[k] = &each_W[k];
+    }
+    const std::array<Sight, 8> of_each = LookAtEight(world.map, eight, views_W);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Sight sight = LookAt(world.map, *eight[k], each_W[k]);
+      ASSERT_EQ(of_each[k].clear, sight.clear);
+      ASSERT_EQ(of_each[k].unknown, sight.unknown);
+    }
   }
   EXPECT_GT(hidden, 1000);
   EXPECT_LT(hidden, 15000);
