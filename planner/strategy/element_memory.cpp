@@ -84,13 +84,13 @@ void ElementMemory::SpreadDiscoveries(const ActiveSurface& surface) {
   std::vector<std::int32_t> from;
   for (int axis = 0, inner = 1; axis < 3; inner *= n[axis++]) {
     from = near_discovery_;
+    const int reach = std::min(reach_blocks_, n[axis] - 1);
     for (int first = 0; first < num_blocks; first += inner * n[axis])
-      for (int at = 0; at < n[axis]; ++at) {
-        std::int32_t* const newest = &near_discovery_[first + at * inner];
-        for (int k = std::max(0, at - reach_blocks_); k <= std::min(n[axis] - 1, at + reach_blocks_); ++k) {
-          const std::int32_t* const other = &from[first + k * inner];
-          for (int i = 0; i < inner; ++i) newest[i] = std::max(newest[i], other[i]);
-        }
+      for (int k = -reach; k <= reach; ++k) {
+        const int begin = first + std::max(0, -k) * inner;
+        const int end = first + (n[axis] - std::max(0, k)) * inner;
+        for (int b = begin; b < end; ++b)
+          near_discovery_[b] = std::max(near_discovery_[b], from[b + k * inner]);
       }
   }
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "core/quality/active_surface.h"
@@ -76,8 +76,8 @@ class ElementMemory {
   int reach_blocks_;
   std::vector<std::uint8_t> flags_;
   std::vector<Record> records_;
-  std::unordered_map<std::uint32_t, std::size_t> record_of_;  ///< by voxel, index in `records_`
-  std::vector<std::int32_t> near_discovery_;                  ///< by block: newest discovery within range
+  std::map<std::uint32_t, std::size_t> record_of_;  ///< by voxel, index in `records_`
+  std::vector<std::int32_t> near_discovery_;        ///< by block: newest discovery within range
   std::int64_t spread_ = 0;
   int given_up_ = 0, unreachable_ = 0;
 };
