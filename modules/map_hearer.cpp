@@ -80,6 +80,7 @@ void MapHearer::Impl::Compare(const MapSummary& summary) {
 }
 
 const PlanningMap& MapHearer::map() const { return impl_->map; }
+
 const ActiveSurface& MapHearer::Surface() {
   std::optional<ActiveSurface>& surface = impl_->surface;
   if (!surface) surface.emplace(map().grid(), map().quantisation(), impl_->goals);
