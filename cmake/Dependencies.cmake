@@ -12,7 +12,7 @@ find_package(nanoflann REQUIRED)                   # logs
 find_package(Boost REQUIRED)                       # logs/statistics
 find_package(Protobuf REQUIRED)                   # modules/mcap_export
 find_package(ZLIB REQUIRED)                       # logs/mcap
-find_package(TBB REQUIRED)                         # core/parallel_for
+find_package(Threads REQUIRED)
 
 # citrine_find(<target> <header> <library>...): an imported target where a package ships no CMake file
 function(citrine_find target header)

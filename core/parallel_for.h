@@ -5,9 +5,9 @@
 
 namespace citrine {
 
-/// Calls run(part) once for each part from 0 on, on this thread and on those of TBB's pool as far as they are
-/// idle. What each part does must not depend on the others. Throws what a part has thrown, the lowest one's,
-/// once all are over.
+/// Calls run(part) once for each part from 0 on, on this thread and on those of a pool as far as they are
+/// idle; on this one alone while another thread has the pool. What each part does must not depend on the
+/// others. Throws what a part has thrown, the lowest one's, once all are over.
 void RunParts(int parts, const std::function<void(int part)>& run);
 
 /// Calls work(begin, end) on `parts` equal parts of [0, count), as above. The result does not depend on the

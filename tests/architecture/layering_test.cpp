@@ -45,7 +45,6 @@ TEST(Layering, MeetsEachThirdPartyLibraryInOnePlace) {
       {"google", {"modules/mcap_export"}},
       {"lcm", {"modules/runtime"}},
       {"nlopt", {"planner/trajectory"}},
-      {"oneapi", {"core/parallel_for"}},
       {"octomap", {"core/map/occupancy_tree"}},
       {"ode", {"sim/dynamics"}},
       {"opencv2", {"viz/"}},
