@@ -7,7 +7,7 @@ namespace citrine::planner {
 
 namespace {
 
-constexpr Utime kSample = 20'000;  ///< [us] 9 cm at 4.5 m/s
+constexpr Utime kSample = 20'000;          ///< [us] 9 cm at 4.5 m/s
 constexpr double kLimitTolerance = 1.002;  ///< of what a motion does between samples
 constexpr double kClearanceTolerance_m = 1e-6;
 constexpr double kVolumeTolerance_m = 1e-3;

@@ -166,12 +166,14 @@ void Mesh(const test::HouseFlight& flight) {
   for (int i = 0; i < 10; ++i)
     whole.Add(TimeMs([&] { triangles = fusion::SurfaceMesh(fuser.map()).triangles.size(); }));
   const PlanningMap map(fuser.map().grid(), Quantisation(0.5, kWeightMax));
-  std::printf("mesh of the whole map: %.2f ms, %zu triangles; TSDF and confidence %.1f MB, both fields %.1f MB\n",
-              whole.median(), triangles, 1e-6 * static_cast<double>(fuser.map().bytes()),
-              1e-6 * static_cast<double>(map.to_occupied().bytes() + map.to_unknown().bytes()));
+  std::printf(
+      "mesh of the whole map: %.2f ms, %zu triangles; TSDF and confidence %.1f MB, both fields %.1f MB\n",
+      whole.median(), triangles, 1e-6 * static_cast<double>(fuser.map().bytes()),
+      1e-6 * static_cast<double>(map.to_occupied().bytes() + map.to_unknown().bytes()));
 }
 
 int Main(int argc, char** argv) {
+  StayOnOneCore();
   const test::HouseFlight flight;
   const auto asked = [&](const char* part) { return argc < 2 || std::strstr(argv[1], part) != nullptr; };
   if (asked("integration")) {
