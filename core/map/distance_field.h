@@ -13,7 +13,7 @@ namespace citrine {
 /// what a cautious reader takes off.
 ///
 /// Kept as squared distance in voxels (u16); equal to brute force, full or incremental. Separable lower
-/// envelope after Felzenszwalb & Huttenlocher (2012), here as windowed minima over 16 lanes.
+/// envelope after Felzenszwalb & Huttenlocher (2012), here as windowed minima over 16 or 32 lanes.
 class DistanceField {
  public:
   DistanceField() = default;

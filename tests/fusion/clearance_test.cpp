@@ -121,7 +121,7 @@ TEST(Clearance, KnowsBarsOfFiveCentimetresInOnePieceHoweverTheyStand) {
       EXPECT_GT(reading.points, 30000);
       EXPECT_LE(reading.over_m, kHalf_m) << at_m;
       // A bar is as thick as the voxels that it is seen in, and the caution comes on top.
-      EXPECT_LE(reading.under_m, (1.75 + PlanningMap::kCaution_vox) * kVoxel_m) << at_m;
+      EXPECT_LE(reading.under_m, (1.65 + PlanningMap::kCaution_vox) * kVoxel_m) << at_m;
     }
   }
 }

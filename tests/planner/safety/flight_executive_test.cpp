@@ -167,7 +167,7 @@ TEST(FlightExecutive, StopsBeforeAWallThatTheMapShowsOnlyAtFourAndAThirdMetresAt
   flight.Step(true);
   flight.Fly(8);
   EXPECT_GE(wall_x - flight.Position(1).x(), 0.99);  // 4.33 m, less 0.54 m of replan_ahead, 2.7 m of braking
-  EXPECT_GE(flight.to_occupied_m, 0.99 - PlanningMap::kSiteBelow_vox * 0.25);  // before flat surfaces
+  EXPECT_GE(flight.to_occupied_m, 0.99 - 0.125);     // which reads half a voxel less before a wall
   ExpectWithinLimits(flight);
   EXPECT_EQ(flight.status(1).phase, Phase::kBlocked);
   EXPECT_FALSE(flight.status(1).reason.empty());
