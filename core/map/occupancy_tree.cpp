@@ -3,21 +3,66 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <octomap/OcTree.h>
 
+#include "core/parallel_for.h"
+
 namespace citrine {
 
-struct OccupancyTree::Impl {
-  explicit Impl(double voxel_m) : tree(voxel_m) {}
-  /// Sets a leaf; the nodes above follow in Settle().
-  void Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is);
+namespace {
+
+constexpr int kOctants = 8;
+
+/// The leaves of one octant about the world's origin, where a tree of OctoMap's is divided first: under its
+/// root hang the nodes that hang in this place in the tree of all.
+class Octant {
+ public:
+  explicit Octant(double voxel_m) : tree_(voxel_m) {}
+
+  void Set(const octomap::point3d& p_W, OccupancyTree::Leaf leaf) { changes_.emplace_back(p_W, leaf); }
+  /// Sets the leaves in the tree and the nodes above them.
   void Settle() {
-    tree.updateInnerOccupancy();
-    tree.prune();
+    if (changes_.empty()) return;
+    const float occupied = tree_.getClampingThresMaxLog(), free = tree_.getClampingThresMinLog();
+    for (const auto& [p_W, leaf] : changes_)
+      tree_.setNodeValue(p_W, leaf == OccupancyTree::Leaf::kOccupied ? occupied : free, true);
+    changes_.clear();
+    tree_.updateInnerOccupancy();
+    tree_.prune();
+    std::ostringstream stream;
+    tree_.writeBinaryData(stream);
+    bytes_ = std::move(stream).str();
   }
 
-  octomap::OcTree tree;
+  const octomap::OcTree& tree() const { return tree_; }
+  /// In OctoMap's binary format, its header left out: which children the root has, then what hangs under it.
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  octomap::OcTree tree_;
+  std::vector<std::pair<octomap::point3d, OccupancyTree::Leaf>> changes_;  ///< not in the tree yet
+  std::string bytes_;
+};
+
+int OctantOf(const octomap::point3d& p_W) {
+  return (p_W.x() < 0 ? 0 : 1) + (p_W.y() < 0 ? 0 : 2) + (p_W.z() < 0 ? 0 : 4);
+}
+
+}  // namespace
+
+struct OccupancyTree::Impl {
+  explicit Impl(double voxel_m) : octants(kOctants, Octant(voxel_m)) {}
+  /// Sets a leaf; the tree follows in Settle().
+  void Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is);
+  void Settle() {
+    ParallelFor(kOctants, kOctants, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) octants[static_cast<std::size_t>(i)].Settle();
+    });
+  }
+
+  std::vector<Octant> octants;
   std::vector<std::uint32_t> version;  ///< of the blocks as last looked at
   std::vector<std::uint8_t> leaf;      ///< as in the tree: Leaf
 };
@@ -27,11 +72,10 @@ OccupancyTree::~OccupancyTree() = default;
 
 void OccupancyTree::Impl::Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is) {
   // A hair off the centre, so that rounding never puts two voxels into one leaf.
-  const Eigen::Vector3f p_W =
+  const Eigen::Vector3f at_W =
       (grid.Centre(voxel) + Eigen::Vector3d::Constant(1e-4 * grid.voxel_m())).cast<float>();
-  const bool occupied = leaf_is == Leaf::kOccupied;
-  tree.setNodeValue(octomap::point3d(p_W.x(), p_W.y(), p_W.z()),
-                    occupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog(), true);
+  const octomap::point3d p_W(at_W.x(), at_W.y(), at_W.z());
+  octants[static_cast<std::size_t>(OctantOf(p_W))].Set(p_W, leaf_is);
 }
 
 void OccupancyTree::Add(const TsdfMap& map) {
@@ -75,14 +119,23 @@ void OccupancyTree::Update(const PlanningMap& map) {
 }
 
 std::vector<std::uint8_t> OccupancyTree::Bytes() const {
+  std::string root(2, '\0'), under_root;
+  std::size_t nodes = 0;
+  for (int i = 0; impl_ && i < kOctants; ++i) {
+    const Octant& octant = impl_->octants[static_cast<std::size_t>(i)];
+    if (octant.bytes().empty()) continue;
+    for (std::size_t k = 0; k < root.size(); ++k) root[k] = static_cast<char>(root[k] | octant.bytes()[k]);
+    under_root.append(octant.bytes(), root.size());
+    nodes += octant.tree().size() - 1;
+  }
   // OctoMap's own writeBinary says "done." on the terminal; its header is this one.
-  const octomap::OcTree nothing(1.0);
-  const octomap::OcTree& tree = impl_ ? impl_->tree : nothing;
+  const octomap::OcTree like(impl_ ? impl_->octants[0].tree().getResolution() : 1.0);
   std::ostringstream stream;
   stream << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line "
             "as it is!)\n#\nid "
-         << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
-  if (tree.size() > 0) tree.writeBinaryData(stream);
+         << like.getTreeType() << "\nsize " << (nodes > 0 ? nodes + 1 : 0) << "\nres " << like.getResolution()
+         << "\ndata\n";
+  if (nodes > 0) stream << root << under_root;
   const std::string text = stream.str();
   return {text.begin(), text.end()};
 }
@@ -95,9 +148,13 @@ void OccupancyTree::WriteBt(const std::string& path) const {
 }
 
 OccupancyTree::Leaf OccupancyTree::At(const Eigen::Vector3d& p_W) const {
-  const octomap::OcTreeNode* node = impl_ ? impl_->tree.search(p_W.x(), p_W.y(), p_W.z()) : nullptr;
+  if (!impl_) return Leaf::kUnknown;
+  const octomap::point3d at_W(static_cast<float>(p_W.x()), static_cast<float>(p_W.y()),
+                              static_cast<float>(p_W.z()));
+  const octomap::OcTree& tree = impl_->octants[static_cast<std::size_t>(OctantOf(at_W))].tree();
+  const octomap::OcTreeNode* node = tree.search(at_W);
   if (!node) return Leaf::kUnknown;
-  return impl_->tree.isNodeOccupied(node) ? Leaf::kOccupied : Leaf::kFree;
+  return tree.isNodeOccupied(node) ? Leaf::kOccupied : Leaf::kFree;
 }
 
 }  // namespace citrine

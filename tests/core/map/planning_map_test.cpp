@@ -122,7 +122,8 @@ TEST(PlanningMap, DigestsIndexDistancesAndWeightsInOrderOfBlocks) {
 }
 
 TEST(OccupancyTree, HoldsTheClassOfEveryVoxelAndFollowsTheMap) {
-  PlanningMap map(Grid(), Codes());
+  // In all octants about the origin.
+  PlanningMap map(VoxelGrid(0.25, {Eigen::Vector3d(-6, -4, -2), Eigen::Vector3d(6, 4, 4)}, 0.75), Codes());
   OccupancyTree tree;
   Random random(6);
   for (std::uint32_t version = 1; version <= 3; ++version) {
