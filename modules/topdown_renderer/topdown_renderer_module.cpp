@@ -7,8 +7,13 @@ namespace citrine {
 
 namespace {
 
-constexpr double kPicturePeriod_s = 10;
-constexpr double kOfScreen = 0.92;  ///< that a window fills; the rest is for the desktop's bars
+constexpr double kPicturePeriod_s = 10;  ///< of the wall: who looks at pictures lives there
+constexpr double kLockstepPace = 6;      ///< that lockstep may reach
+constexpr double kOfScreen = 0.92;       ///< that a window fills; the rest is for the desktop's bars
+
+double PicturePeriod_s(const MissionConfig& config) {
+  return kPicturePeriod_s * (config.lockstep() ? kLockstepPace : config.launch.pace);
+}
 
 /// All of the mission, as large as a window on this screen can show it.
 viz::View FirstView(const viz::TopdownRenderer& renderer) {
@@ -25,7 +30,7 @@ TopdownRendererModule::TopdownRendererModule(const ModuleContext& context)
       wants_video_(context.config.launch.video && !out_.empty()),
       scene_(context),
       renderer_(context.config.volume_W(), context.config.viz.pixels_per_m),
-      picture_due_(kPicturePeriod_s, FromSeconds(kPicturePeriod_s)),
+      picture_due_(PicturePeriod_s(context.config), FromSeconds(PicturePeriod_s(context.config))),
       frame_due_(1 / frame_hz_),
       control_(context.config.launch.view ? FirstView(renderer_) : renderer_.whole()) {
   if (context.config.launch.view) window_.emplace("citrine: " + context.config.mission.name);

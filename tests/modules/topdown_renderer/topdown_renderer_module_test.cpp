@@ -20,7 +20,6 @@ class TopdownRendererOnTheBus : public ::testing::Test, protected test::YardFlig
     config.launch.out = ::testing::TempDir() + "citrine_topdown_renderer";
     fs::remove_all(config.launch.out);
     fs::create_directories(config.launch.out);
-    Begin(0);
   }
   ~TopdownRendererOnTheBus() override { fs::remove_all(config.launch.out); }
 
@@ -32,6 +31,7 @@ class TopdownRendererOnTheBus : public ::testing::Test, protected test::YardFlig
 };
 
 TEST_F(TopdownRendererOnTheBus, DrawsEveryTenSecondsAndAtTheEndWhatWasSaid) {
+  Begin(0);
   Fly(9.9);
   EXPECT_FALSE(fs::exists(picture()));
   Fly(0.2);
@@ -46,7 +46,17 @@ TEST_F(TopdownRendererOnTheBus, DrawsEveryTenSecondsAndAtTheEndWhatWasSaid) {
   EXPECT_EQ(health.last_error(), "");
 }
 
+TEST_F(TopdownRendererOnTheBus, DrawsLessOftenWhereAMissionPassesFasterThanTheWall) {
+  config.launch.pace = 2;
+  Begin(0);
+  Fly(19.9);
+  EXPECT_FALSE(fs::exists(picture()));
+  Fly(0.2);
+  EXPECT_TRUE(fs::exists(picture()));
+}
+
 TEST_F(TopdownRendererOnTheBus, SaysNothing) {
+  Begin(0);
   SayMap();
   SayState(1);
   Fly(10.2);
@@ -55,6 +65,7 @@ TEST_F(TopdownRendererOnTheBus, SaysNothing) {
 }
 
 TEST_F(TopdownRendererOnTheBus, DropsAndCountsAStateThatIsNoneAndDrawsOn) {
+  Begin(0);
   citrine_lcm::uav_state_t message = Encode(UavState());
   message.p_WB[0] = std::numeric_limits<double>::quiet_NaN();
   peers.Publish(channels::kUavState, 1, message);
@@ -65,6 +76,7 @@ TEST_F(TopdownRendererOnTheBus, DropsAndCountsAStateThatIsNoneAndDrawsOn) {
 }
 
 TEST_F(TopdownRendererOnTheBus, LivesWithAResultFolderThatIsGone) {
+  Begin(0);
   fs::remove_all(config.launch.out);
   Fly(10.2);
   EXPECT_NE(health.last_error(), "");
