@@ -8,6 +8,7 @@
 
 #include "core/digest.h"
 #include "core/map/dirty_boxes.h"
+#include "core/parallel_for.h"
 
 namespace citrine {
 namespace {
@@ -109,10 +110,17 @@ bool PlanningMap::Update() {
   if (pending_.empty()) return false;
   std::sort(pending_.begin(), pending_.end());
   pending_.erase(std::unique(pending_.begin(), pending_.end()), pending_.end());
-  for (const DirtyBox& box : DirtyBoxes(grid_, std::move(pending_occupied_), to_occupied_.radius_vox()))
-    to_occupied_.Update(occupied_site_, box.min, box.max);
-  for (const DirtyBox& box : DirtyBoxes(grid_, std::move(pending_unknown_), to_unknown_.radius_vox()))
-    to_unknown_.Update(unknown_site_, box.min, box.max);
+  const auto update = [this](DistanceField& field, std::vector<int> pending,
+                             const std::vector<std::uint8_t>& sites) {
+    for (const DirtyBox& box : DirtyBoxes(grid_, std::move(pending), field.radius_vox()))
+      field.Update(sites, box.min, box.max);
+  };
+  RunParts(2, [&](int part) {
+    if (part == 0)
+      update(to_occupied_, std::move(pending_occupied_), occupied_site_);
+    else
+      update(to_unknown_, std::move(pending_unknown_), unknown_site_);
+  });
   pending_occupied_.clear();
   pending_unknown_.clear();
   changed_ = std::exchange(pending_, {});
