@@ -1,8 +1,11 @@
 #include "planner/view/view_generator.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 
+#include "core/parallel_for.h"
 #include "core/quality/confidence.h"
 #include "planner/view/visibility.h"
 
@@ -16,6 +19,7 @@ constexpr double kSafeMargin = 10 * kDegree;        ///< after a view that faile
 constexpr double kVertical = 0.1;                   ///< sine of the tilt below which a normal has no azimuth
 constexpr double kFanCosine = 0.17364817766693041;  ///< of 80 degrees
 constexpr double kLattice_m = 0.5;
+constexpr int kParts = 2;  ///< of a search of the lattice, for as many threads
 constexpr double kImprovement =
     0.97;  ///< of the range already seen from: 6 % more weight, beyond the code's 2 %
 
@@ -33,17 +37,24 @@ Eigen::Vector3d Direction(double azimuth_rad, double elevation_rad) {
 /// the least off the best distance. Looks from eight at once.
 class BestPose {
  public:
-  BestPose(const PlanningMap& map, const Element& element) : map_(map) { elements_.fill(&element); }
+  /// @param clear_off_m  the least off of all poses of all parts of a search that see past nothing unknown
+  BestPose(const PlanningMap& map, const Element& element, std::atomic<double>& clear_off_m)
+      : map_(map), clear_off_m_(clear_off_m) {
+    elements_.fill(&element);
+  }
 
-  /// Whether a pose that far off cannot be better than what has been found.
-  bool NoneBetterAt(double off_m) const { return unknown_ == 0 && off_m >= off_m_; }
+  /// Whether a pose that far off cannot be better than what has been found, here or elsewhere.
+  bool NoneBetterAt(double off_m) const {
+    return (unknown_ == 0 && off_m >= off_m_) || off_m > clear_off_m_.load(std::memory_order_relaxed);
+  }
   void Try(const Eigen::Vector3d& p_W, double off_m) {
     tried_[static_cast<std::size_t>(count_++)] = {p_W, off_m};
     if (count_ == 8) Look();
   }
-  std::optional<Eigen::Vector3d> Found() {
-    Look();
-    return found_W_;
+  void End() { Look(); }
+  const std::optional<Eigen::Vector3d>& found_W() const { return found_W_; }
+  bool BetterThan(const BestPose& earlier) const {
+    return found_W_ && std::pair(unknown_, off_m_) < std::pair(earlier.unknown_, earlier.off_m_);
   }
 
  private:
@@ -65,9 +76,13 @@ class BestPose {
       off_m_ = tried_[k].off_m;
     }
     count_ = 0;
+    double least_m = clear_off_m_;
+    while (unknown_ == 0 && off_m_ < least_m && !clear_off_m_.compare_exchange_weak(least_m, off_m_))
+      continue;
   }
 
   const PlanningMap& map_;
+  std::atomic<double>& clear_off_m_;
   std::array<const Element*, 8> elements_;
   std::array<Tried, 8> tried_;
   int count_ = 0;
@@ -175,22 +190,32 @@ std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers
   answers.of_pose_.resize(static_cast<std::size_t>(size.prod()), Answer::kNotAsked);
   const double useful = UsefulRange(element);
   const double best_distance = Distances(element)[0].first;
-  BestPose best(map_, element);
-  for (const LatticePose& pose : LatticeAround(element.voxel)) {
-    const VoxelIndex v = element.voxel + pose.off.cast<int>();
-    if (pose.distance_m > useful || !grid.Inside(v)) continue;
-    const double off_m = std::abs(pose.distance_m - best_distance);
-    if (best.NoneBetterAt(off_m)) continue;
-    const Eigen::Vector3i at = v / stride_;
-    Answer& answer =
-        answers.of_pose_[static_cast<std::size_t>((at.z() * size.y() + at.y()) * size.x() + at.x())];
-    if (answer == Answer::kUnsafe) continue;
-    const Eigen::Vector3d p_W = grid.Centre(v);
-    if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;
-    if (answer == Answer::kSafe) best.Try(p_W, off_m);
-  }
-  const std::optional<Eigen::Vector3d> p_W = best.Found();
-  return p_W ? std::optional<View>(Make(*p_W, element, View::Kind::kAround)) : std::nullopt;
+  const std::vector<LatticePose>& poses = LatticeAround(element.voxel);
+  std::atomic<double> clear_off_m = std::numeric_limits<double>::infinity();
+  std::array<BestPose, kParts> best{BestPose(map_, element, clear_off_m),
+                                    BestPose(map_, element, clear_off_m)};
+  RunParts(kParts, [&](int part) {
+    BestPose& here = best[static_cast<std::size_t>(part)];
+    const std::size_t end = poses.size() * static_cast<std::size_t>(part + 1) / kParts;
+    for (std::size_t k = poses.size() * static_cast<std::size_t>(part) / kParts; k < end; ++k) {
+      const LatticePose& pose = poses[k];
+      const VoxelIndex v = element.voxel + pose.off.cast<int>();
+      if (pose.distance_m > useful || !grid.Inside(v)) continue;
+      const double off_m = std::abs(pose.distance_m - best_distance);
+      if (here.NoneBetterAt(off_m)) continue;
+      const Eigen::Vector3i at = v / stride_;
+      Answer& answer =
+          answers.of_pose_[static_cast<std::size_t>((at.z() * size.y() + at.y()) * size.x() + at.x())];
+      if (answer == Answer::kUnsafe) continue;
+      const Eigen::Vector3d p_W = grid.Centre(v);
+      if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;
+      if (answer == Answer::kSafe) here.Try(p_W, off_m);
+    }
+    here.End();
+  });
+  const BestPose& found = best[best[1].BetterThan(best[0]) ? 1 : 0];
+  return found.found_W() ? std::optional<View>(Make(*found.found_W(), element, View::Kind::kAround))
+                         : std::nullopt;
 }
 
 bool ViewGenerator::Holds(const View& view, const Element& element) const {

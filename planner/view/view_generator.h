@@ -32,7 +32,8 @@ class ViewGenerator {
     double eta_m = 0.5;
     bool weights_are_sums = false;  ///< any further look improves a weight
   };
-  /// Whether a UAV may be there and can get there: inside the volume, clear, connected.
+  /// Whether a UAV may be there and can get there: inside the volume, clear, connected. Several threads ask
+  /// it.
   using Safe = std::function<bool(const Eigen::Vector3d& p_W)>;
 
   ViewGenerator(const PlanningMap& map, const SensorWindow& window, Safe safe, const Options& options);
