@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "core/parallel_for.h"
 #include "core/vehicle/airframe.h"
 
 namespace citrine::sim {
 namespace {
+
+constexpr int kNoiseParts = 4;  ///< that threads take
 
 /// Shortens the ranges of the beams that meet a sphere. @param to_centre_W  from the sensor to its centre
 void SeeSphere(const Eigen::Vector3f& to_centre_W, float radius_m,
@@ -40,22 +44,40 @@ LidarScan LidarEmulator::Scan(Utime utime, const Pose& X_WS, const std::vector<E
   std::vector<Eigen::Vector3f> directions_W(directions_S_.size());
   std::ranges::transform(directions_S_, directions_W.begin(),
                          [&](const auto& d_S) { return Eigen::Vector3f(R_WS * d_S); });
-  const auto range_min_m = static_cast<float>(model_.range_min_m),
-             range_max_m = static_cast<float>(model_.range_max_m);
+  const auto range_max_m = static_cast<float>(model_.range_max_m);
   scene_->Cast(X_WS.p.cast<float>(), directions_W, range_max_m, scan.ranges_m);
   for (const Eigen::Vector3d& teammate_W : teammates_W)
     SeeSphere((teammate_W - X_WS.p).cast<float>(), static_cast<float>(kAirframeRadius_m), directions_W,
               range_max_m, scan.ranges_m);
-  for (float& range : scan.ranges_m) {
-    if (!std::isfinite(range)) {
-      range = kNoReturn;
-      continue;
-    }
-    const double sigma_m = noise_m_per_m2_ * range * range;
-    if (sigma_m > 0) range = std::min(range + static_cast<float>(sigma_m * random.Normal()), range_max_m);
-    if (range < range_min_m) range = kInvalid;
-  }
+  AddNoise(scan.ranges_m, random);
   return scan;
+}
+
+void LidarEmulator::AddNoise(std::vector<float>& ranges_m, Random& random) const {
+  const auto range_min_m = static_cast<float>(model_.range_min_m),
+             range_max_m = static_cast<float>(model_.range_max_m);
+  const auto sigma_m = [this](float range_m) { return noise_m_per_m2_ * range_m * range_m; };
+  // A part begins with the number that it would begin with if the beams before it had taken theirs.
+  std::vector<std::uint32_t> numbers_before(ranges_m.size() + 1, 0);
+  for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+    const bool noisy = std::isfinite(ranges_m[i]) && sigma_m(ranges_m[i]) > 0;
+    numbers_before[i + 1] = numbers_before[i] + (noisy ? Random::kNumbersOfNormal : 0);
+  }
+  ParallelFor(static_cast<int>(ranges_m.size()), kNoiseParts, [&](int begin, int end) {
+    Random own = random;
+    own.Advance(numbers_before[static_cast<std::size_t>(begin)]);
+    for (float& range : std::span(ranges_m).subspan(static_cast<std::size_t>(begin),
+                                                    static_cast<std::size_t>(end - begin))) {
+      if (!std::isfinite(range)) {
+        range = kNoReturn;
+        continue;
+      }
+      if (const double sigma = sigma_m(range); sigma > 0)
+        range = std::min(range + static_cast<float>(sigma * own.Normal()), range_max_m);
+      if (range < range_min_m) range = kInvalid;
+    }
+  });
+  random.Advance(numbers_before.back());
 }
 
 }  // namespace citrine::sim

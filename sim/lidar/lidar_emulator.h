@@ -23,6 +23,9 @@ class LidarEmulator {
                  Random& random) const;
 
  private:
+  /// Makes true ranges what the sensor says; infinity: nothing was met.
+  void AddNoise(std::vector<float>& ranges_m, Random& random) const;
+
   std::shared_ptr<const RayScene> scene_;
   LidarModel model_;
   double noise_m_per_m2_;
