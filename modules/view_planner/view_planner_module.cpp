@@ -49,7 +49,7 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
 
 std::optional<Path> ViewPlannerModule::FindPath(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                                 const std::vector<PlanningMap::Ball>& avoid) {
-  const CpuStopwatch stopwatch;
+  const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
   std::optional<Path> path = path_search_.Find(start_W, goal_W, avoid);
   path_ms_ += stopwatch.ms();
   health_.Sample("path_ms", stopwatch.ms());
@@ -73,13 +73,13 @@ void ViewPlannerModule::Tick(const Step& step) {
   const bool map_changed = map_hearer_->Update(step);
   HearAll(step.now);
   if (map_changed) {
-    const CpuStopwatch stopwatch;
+    const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
     map_hearer_->Surface();
     planner_.HearMap(step.now);
     health_.Sample("surface_ms", stopwatch.ms());
   }
   path_ms_ = 0;
-  const CpuStopwatch stopwatch;
+  const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
   const planner::ViewPlanner::Outcome outcome = planner_.Tick(step.now, map_hearer_->map_version());
   if (outcome.decided) {
     health_.Sample("replan_ms", stopwatch.ms() - path_ms_);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/parallel_for.h"
 #include "planner/fleet/balance.h"
 #include "planner/path/tour.h"
 #include "planner/strategy/view_planner.h"
@@ -17,6 +18,7 @@ constexpr double kBlockedNear_m = 0.5;
 constexpr double kStandOff_s = 3.0;        ///< until a view that an idle mate stands by is asked for again
 constexpr double kWarmUp_s = 3.0;          ///< before it the map is too young to say that nothing is left
 constexpr int kLooksEnough = 3;            ///< in passing, that should each have settled an element
+constexpr int kParts = 8;                  ///< that threads take, of the elements
 constexpr std::size_t kLeftToMates = 100;  ///< elements nearer to mates that are still at work
 constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 
@@ -129,13 +131,20 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
 
 void ViewPlanner::LeaveWhatWasSeen(std::vector<Element>& elements, Utime now) {
   const Utime before = now - looks_.settle_time();
-  const auto was_seen = [&](const Element& e) {
-    if (e.kind != SurfaceClass::kLqse) return false;
-    if (flown_.Looks(map_, e, window_, before, kLooksEnough) < kLooksEnough) return false;
-    memory_.GiveUp(map_, e.linear);
-    return true;
-  };
-  elements.erase(std::remove_if(elements.begin(), elements.end(), was_seen), elements.end());
+  std::vector<std::uint8_t> was_seen(elements.size(), 0);
+  ParallelFor(static_cast<int>(elements.size()), kParts, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      was_seen[i] = elements[i].kind == SurfaceClass::kLqse &&
+                    flown_.Looks(map_, elements[i], window_, before, kLooksEnough) >= kLooksEnough;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (was_seen[i])
+      memory_.GiveUp(map_, elements[i].linear);
+    else
+      elements[kept++] = elements[i];
+  }
+  elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(kept), elements.end());
 }
 
 std::vector<Element> ViewPlanner::Mine(const Prospect& prospect, const Eigen::Vector3d& p_W) const {
