@@ -33,7 +33,7 @@ Flight FlyInProcess(const ResolvedMission& mission) {
   callbacks.say_first = [&](Bus& bus) { bus.Publish(channels::kMissionConfig, Encode(mission.flown)); };
 
   const Stopwatch stopwatch;
-  const InProcessResult result = RunInProcess(mission.config, ModuleList(), callbacks);
+  const InProcessResult result = RunInProcess(mission.config, ModuleList(), callbacks, mission.world);
   log.Flush();
   progress.Finish();
   Flight flight{result.stop_reason, stopwatch.ms() / 1e3, std::nullopt};

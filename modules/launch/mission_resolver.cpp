@@ -43,9 +43,8 @@ void TakeMap(const RunOptions& options, MissionConfig& config) {
   ReadSavedMap(config.map.start, config);
 }
 
-void PlaceInWorld(MissionConfig& config) {
+void PlaceInWorld(const sim::World& world, MissionConfig& config) {
   MissionSection& mission = config.mission;
-  const sim::World world = sim::LoadWorld(mission.world);
   if (!mission.volume_min_m) {
     const Eigen::AlignedBox3d volume_W = sim::DefaultVolume(world);
     mission.volume_min_m = volume_W.min();
@@ -69,7 +68,8 @@ ResolvedMission ResolveMission(const RunOptions& options) {
   if (config.launch.in_process) config.launch.pace = 0;
   if (config.launch.out.empty()) config.launch.out = "results/" + MissionId(config);
   config.launch.out = std::filesystem::absolute(config.launch.out).lexically_normal();
-  PlaceInWorld(config);
+  resolved.world = std::make_shared<const sim::World>(sim::LoadWorld(config.mission.world));
+  PlaceInWorld(*resolved.world, config);
   TakeMap(options, config);
   resolved.toml = ToToml(config);
   const SourceVersion version = ReadSourceVersion();

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "core/config/mission_config.h"
 #include "modules/codec/mission_config_text.h"
 #include "modules/launch/run_options.h"
+#include "sim/world/world.h"
 
 namespace citrine {
 
@@ -13,7 +15,8 @@ struct ResolvedMission {
   MissionConfig
       config;        ///< with volume, spawns (moved by the seed), world and result folder as absolute paths
   std::string toml;  ///< the same as text
-  MissionConfigText flown;  ///< what MISSION_CONFIG says
+  std::shared_ptr<const sim::World> world;  ///< as read to place the UAVs
+  MissionConfigText flown;                  ///< what MISSION_CONFIG says
 };
 
 /// @throws ConfigError, sim::WorldError

@@ -7,8 +7,8 @@
 #include "modules/codec/lidar_scan.h"
 #include "modules/codec/uav_state.h"
 #include "modules/hear_nouns.h"
+#include "modules/mission_world.h"
 #include "modules/runtime/cpu_stopwatch.h"
-#include "sim/world/world.h"
 
 namespace citrine {
 namespace {
@@ -26,8 +26,8 @@ Utime PhaseOf(int uav, const MissionConfig& config) {
 LidarEmulatorModule::LidarEmulatorModule(const ModuleContext& context)
     : bus_(context.bus),
       health_(context.health),
-      emulator_(std::make_shared<sim::RayScene>(sim::LoadWorld(context.config.mission.world)),
-                context.config.lidar.model, context.config.lidar.noise_m_per_m2),
+      emulator_(std::make_shared<sim::RayScene>(*WorldOf(context)), context.config.lidar.model,
+                context.config.lidar.noise_m_per_m2),
       states_(bus_.HearAll(channels::kUavState)) {
   const MissionConfig& config = context.config;
   for (int uav = 1; uav <= config.mission.uavs; ++uav)

@@ -38,13 +38,14 @@ std::map<std::string, std::vector<float>> TakeSome(std::map<std::string, std::ve
 }  // namespace
 
 HostedModule::HostedModule(const ModuleKind& kind, const MissionConfig& config, int uav,
-                           std::shared_ptr<Transport> transport, std::shared_ptr<MapHearer> map_hearer)
+                           std::shared_ptr<Transport> transport, std::shared_ptr<MapHearer> map_hearer,
+                           std::shared_ptr<const sim::World> world)
     : kind_(kind), config_(config), uav_(uav), bus_(std::move(transport)) {
   if (!kind_.make_map_hearer)
     map_hearer = nullptr;
   else if (!map_hearer)
     map_hearer = kind_.make_map_hearer(config_, bus_);
-  module_ = kind_.make({config_, bus_, health_, uav_, std::move(map_hearer)});
+  module_ = kind_.make({config_, bus_, health_, uav_, std::move(map_hearer), std::move(world)});
 }
 
 void HostedModule::Tick(const Step& step) {

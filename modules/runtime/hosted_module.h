@@ -16,8 +16,10 @@ class HostedModule {
  public:
   /// @param map_hearer one that modules of this process share; null: made on the module's own bus if it needs
   /// one
+  /// @param world  likewise; null: read by the module
   HostedModule(const ModuleKind& kind, const MissionConfig& config, int uav,
-               std::shared_ptr<Transport> transport, std::shared_ptr<MapHearer> map_hearer = nullptr);
+               std::shared_ptr<Transport> transport, std::shared_ptr<MapHearer> map_hearer = nullptr,
+               std::shared_ptr<const sim::World> world = nullptr);
 
   ModuleId id() const { return {kind_.name, uav_}; }
   Bus& bus() { return bus_; }

@@ -41,14 +41,14 @@ class Recorder {
 class Crew {
  public:
   Crew(const MissionConfig& config, const std::vector<ModuleKind>& kinds,
-       const std::shared_ptr<Transport>& transport)
+       const std::shared_ptr<Transport>& transport, const std::shared_ptr<const sim::World>& world)
       : map_bus_(transport) {
     for (const ModuleKind& kind : kinds)
       if (kind.make_map_hearer && !map_hearer_) map_hearer_ = kind.make_map_hearer(config, map_bus_);
     for (const ModuleKind& kind : kinds) {
       const int count = kind.per_uav ? config.mission.uavs : 1;
       for (int i = 1; i <= count; ++i) {
-        modules_.emplace_back(kind, config, kind.per_uav ? i : 0, transport, map_hearer_);
+        modules_.emplace_back(kind, config, kind.per_uav ? i : 0, transport, map_hearer_, world);
         if (!kind.owns_time()) continue;
         if (owner_) throw std::invalid_argument("several modules own the time: " + kind.name);
         owner_ = &modules_.back();
@@ -90,11 +90,12 @@ class Crew {
 }  // namespace
 
 InProcessResult RunInProcess(const MissionConfig& config, const std::vector<ModuleKind>& kinds,
-                             const InProcessCallbacks& callbacks) {
+                             const InProcessCallbacks& callbacks,
+                             const std::shared_ptr<const sim::World>& world) {
   const auto transport = std::make_shared<Transport>("memq://");
   Recorder recorder(transport, callbacks.on_event);
   Bus own(transport);
-  Crew crew(config, kinds, transport);
+  Crew crew(config, kinds, transport, world);
   ClockOwner clock(config, crew.owner().bus());
   WallPacer pacer(config.launch.pace, config.dynamics.step_s);
   if (callbacks.say_first) callbacks.say_first(own);

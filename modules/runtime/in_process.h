@@ -33,8 +33,10 @@ struct InProcessResult {
 /// launch.pace. The same configuration gives the same events, bit for bit, and those of as many processes in
 /// lockstep.
 /// @param kinds of modules; exactly one owns the time; a kind that serves one UAV is made once for each
+/// @param world  the mission's, if the caller holds it; null: each module that needs it reads it
 /// @throws what a module's constructor throws, std::invalid_argument if none or several own the time
 InProcessResult RunInProcess(const MissionConfig& config, const std::vector<ModuleKind>& kinds,
-                             const InProcessCallbacks& callbacks);
+                             const InProcessCallbacks& callbacks,
+                             const std::shared_ptr<const sim::World>& world = nullptr);
 
 }  // namespace citrine

@@ -10,6 +10,9 @@
 namespace citrine {
 
 class MapHearer;
+namespace sim {
+struct World;
+}
 
 /// What a module is given: its mission, the bus, its own health, and which UAV it serves.
 struct ModuleContext {
@@ -20,6 +23,7 @@ struct ModuleContext {
   std::shared_ptr<MapHearer>
       map_hearer;  ///< one a process: whoever needs the map hears it through this; null in a
                    ///< module that declares `static constexpr bool kHearsMap = false`
+  std::shared_ptr<const sim::World> world = nullptr;  ///< if whoever started this process holds it: WorldOf()
 };
 
 /// A module: `kName`, `kSummary`, `kHearsMap`, `kPerUav`, a constructor (const ModuleContext&) that

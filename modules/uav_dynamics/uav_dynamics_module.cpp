@@ -8,8 +8,8 @@
 #include "modules/codec/trajectory.h"
 #include "modules/codec/uav_state.h"
 #include "modules/hear_nouns.h"
+#include "modules/mission_world.h"
 #include "modules/runtime/cpu_stopwatch.h"
-#include "sim/world/world.h"
 
 namespace citrine {
 
@@ -17,13 +17,14 @@ namespace {
 
 constexpr std::uint64_t kLocalisationStream = 0x700;  // streams of the mission's seed, one a UAV
 
-sim::FleetSimulator FleetOf(const MissionConfig& config) {
+sim::FleetSimulator FleetOf(const ModuleContext& context) {
+  const MissionConfig& config = context.config;
   const MissionSection& mission = config.mission;
   if (static_cast<int>(mission.spawns_m.size()) != mission.uavs) {
     throw ConfigError("mission.spawns_m has " + std::to_string(mission.spawns_m.size()) +
                       " places for mission.uavs = " + std::to_string(mission.uavs) + "; one a UAV is needed");
   }
-  return {sim::LoadWorld(mission.world).mesh, mission.spawns_m, config.uav, config.dynamics,
+  return {WorldOf(context)->mesh, mission.spawns_m, config.uav, config.dynamics,
           static_cast<std::uint64_t>(mission.seed)};
 }
 
@@ -33,7 +34,7 @@ UavDynamicsModule::UavDynamicsModule(const ModuleContext& context)
     : bus_(context.bus),
       health_(context.health),
       localisation_noise_m_(context.config.uav.localisation_noise_m),
-      fleet_(FleetOf(context.config)),
+      fleet_(FleetOf(context)),
       end_(context.config.mission.uavs, context.config.mission.time_limit_s),
       newest_trajectory_(static_cast<std::size_t>(fleet_.uavs())),
       trajectories_(bus_.HearAll(channels::kTrajectory)),
