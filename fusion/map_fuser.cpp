@@ -89,11 +89,7 @@ void MapFuser::Say(const MapBlock& now) {
 MapSummary MapFuser::Summary() const {
   Digest digest;
   for (const auto& block : said_) {
-    if (!block) continue;
-    const std::int32_t index = block->index;
-    digest.Add(&index, sizeof index);
-    digest.Add(block->distance.data(), block->distance.size());
-    digest.Add(block->weight.data(), block->weight.size());
+    if (block) digest.Add(block->content().data(), block->content().size());
   }
   return {map_.grid(),   map_.truncation_m(), quantisation_.weight_max(),
           version_said_, num_blocks_said_,    digest.value()};

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "core/grid/voxel_grid.h"
 
@@ -10,10 +12,16 @@ namespace citrine {
 /// One block of the map as it travels: quantised, whole, versioned (see core/map/quantisation.h for the
 /// codes).
 struct MapBlock {
-  int index = 0;                                      ///< VoxelGrid::Block
-  std::uint32_t version = 0;                          ///< counts up with every change; 0: never observed
+  std::int32_t index = 0;                             ///< VoxelGrid::Block
   std::array<std::uint8_t, kBlockVoxels> distance{};  ///< distance codes, VoxelGrid::InBlock order
   std::array<std::uint8_t, kBlockVoxels> weight{};    ///< weight codes, surface band only, 0 elsewhere
+  std::uint32_t version = 0;                          ///< counts up with every change; 0: never observed
+
+  /// Index, distance and weight codes, as one run of bytes: what MapSummary::digest is over.
+  std::span<const std::byte> content() const {
+    static_assert(offsetof(MapBlock, version) == sizeof index + sizeof distance + sizeof weight);
+    return std::as_bytes(std::span(this, 1)).first<sizeof index + sizeof distance + sizeof weight>();
+  }
 };
 
 /// What identifies a map: how a hearer knows that it missed something.

@@ -130,19 +130,17 @@ bool PlanningMap::Update() {
 
 std::uint64_t PlanningMap::Digest() const {
   citrine::Digest digest;
-  std::array<std::uint8_t, kBlockVoxels> codes;
-  const auto add = [&](const std::vector<std::uint8_t>& dense, const VoxelIndex& origin) {
-    for (int row = 0; row < kBlockSide * kBlockSide; ++row) {
-      const VoxelIndex first = origin + VoxelIndex(0, row % kBlockSide, row / kBlockSide);
-      std::memcpy(&codes[row * kBlockSide], &dense[grid_.Linear(first)], kBlockSide);
+  MapBlock block;
+  for (block.index = 0; block.index < grid_.num_blocks(); ++block.index) {
+    if (version_[block.index] == 0) continue;
+    const std::size_t origin = grid_.Linear(grid_.BlockOrigin(block.index));
+    for (std::size_t row = 0; row < kBlockSide * kBlockSide; ++row) {
+      const std::size_t first =
+          origin + row % kBlockSide * grid_.stride_y() + row / kBlockSide * grid_.stride_z();
+      std::memcpy(&block.distance[row * kBlockSide], &distance_[first], kBlockSide);
+      std::memcpy(&block.weight[row * kBlockSide], &weight_[first], kBlockSide);
     }
-    digest.Add(codes.data(), codes.size());
-  };
-  for (std::int32_t block = 0; block < grid_.num_blocks(); ++block) {
-    if (version_[block] == 0) continue;
-    digest.Add(&block, sizeof block);
-    add(distance_, grid_.BlockOrigin(block));
-    add(weight_, grid_.BlockOrigin(block));
+    digest.Add(block.content().data(), block.content().size());
   }
   return digest.value();
 }

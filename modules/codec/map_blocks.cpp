@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/parallel_for.h"
 #include "modules/codec/bad_message.h"
 #include "modules/codec/packed_bytes.h"
 
@@ -32,12 +33,13 @@ citrine_lcm::map_blocks_t Encode(const std::vector<MapBlock>& blocks) {
 }
 
 std::vector<citrine_lcm::map_blocks_t> EncodeInMessages(const std::vector<MapBlock>& blocks) {
-  std::vector<citrine_lcm::map_blocks_t> messages;
-  for (std::size_t i = 0; i < blocks.size(); i += kMaxBlocksAMessage) {
-    const auto first = blocks.begin() + static_cast<std::ptrdiff_t>(i);
+  const std::size_t count = (blocks.size() + kMaxBlocksAMessage - 1) / kMaxBlocksAMessage;
+  std::vector<citrine_lcm::map_blocks_t> messages(count);
+  RunParts(static_cast<int>(count), [&](int part) {
+    const auto first = blocks.begin() + part * static_cast<std::ptrdiff_t>(kMaxBlocksAMessage);
     const auto last = first + std::min<std::ptrdiff_t>(kMaxBlocksAMessage, blocks.end() - first);
-    messages.push_back(Encode({first, last}));
-  }
+    messages[static_cast<std::size_t>(part)] = Encode({first, last});
+  });
   return messages;
 }
 
