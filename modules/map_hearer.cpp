@@ -16,6 +16,9 @@ struct MapHearer::Impl {
       : bus(the_bus),
         map(MissionPlanningMap(config)),
         goals(config.quality_goals()),
+        reachable(
+            std::make_shared<planner::ReachableSet>(map, config.uav.limits, config.planner.path_margin_m)),
+        topological_grid(map),
         blocks(bus.Hear(channels::kMapBlocks)),
         summaries(bus.Hear(channels::kMapSummary)) {}
 
@@ -28,6 +31,8 @@ struct MapHearer::Impl {
   QualityGoals goals;
   std::optional<ActiveSurface> surface;
   std::int64_t surface_revision = -1;
+  std::shared_ptr<planner::ReachableSet> reachable;
+  planner::TopologicalGrid topological_grid;
   std::shared_ptr<Inbox<citrine_lcm::map_blocks_t>> blocks;
   std::shared_ptr<Inbox<citrine_lcm::map_summary_t>> summaries;
   std::int64_t last_step = -1;
@@ -88,6 +93,9 @@ const ActiveSurface& MapHearer::Surface() {
   impl_->surface_revision = map().revision();
   return *surface;
 }
+
+std::shared_ptr<planner::ReachableSet> MapHearer::reachable() { return impl_->reachable; }
+planner::TopologicalGrid& MapHearer::topological_grid() { return impl_->topological_grid; }
 
 std::int64_t MapHearer::map_version() const { return impl_->version; }
 

@@ -5,6 +5,8 @@
 #include "core/map/planning_map.h"
 #include "core/quality/active_surface.h"
 #include "modules/runtime/module.h"
+#include "planner/path/reachable_set.h"
+#include "planner/path/topological_grid.h"
 
 namespace citrine {
 
@@ -23,6 +25,10 @@ class MapHearer {
   /// Its active surface elements, as of the map at present; the first who asks after a change does the work.
   /// Always the same object.
   const ActiveSurface& Surface();
+  /// Where a UAV can get through its free space, and how far it is: whoever asks brings them up to date
+  /// first.
+  std::shared_ptr<planner::ReachableSet> reachable();
+  planner::TopologicalGrid& topological_grid();
   /// Version of the newest summary whose digest this map has, i.e. the base station's map is held whole; -1
   /// before one.
   std::int64_t map_version() const;

@@ -31,15 +31,14 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
       health_(context.health),
       uav_(context.uav),
       map_hearer_(context.map_hearer),
-      path_search_(map_hearer_->map(), context.config.uav.limits, context.config.planner.path_margin_m),
-      topological_grid_(map_hearer_->map()),
+      path_search_(map_hearer_->reachable(), context.config.uav.limits, context.config.planner.path_margin_m),
       planner_(
-          context.config, uav_, map_hearer_->map(), map_hearer_->Surface(),
+          context.config, uav_, map_hearer_->map(), map_hearer_->Surface(), map_hearer_->reachable(),
           [this](const auto& start_W, const auto& goal_W, const auto& avoid) {
             return FindPath(start_W, goal_W, avoid);
           },
           [this](const auto& from_W, const auto& to_W) {
-            return topological_grid_.LengthsFrom(from_W, to_W);
+            return map_hearer_->topological_grid().LengthsFrom(from_W, to_W);
           }),
       states_(bus_.HearAll(channels::kUavState, kStateQueue)),
       statuses_(bus_.HearAll(channels::kFleetStatus, kStateQueue)),

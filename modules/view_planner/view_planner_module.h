@@ -6,7 +6,6 @@
 #include "modules/channels.h"
 #include "modules/runtime/module.h"
 #include "planner/path/path_search.h"
-#include "planner/path/topological_grid.h"
 #include "planner/strategy/view_planner.h"
 
 namespace citrine {
@@ -35,7 +34,6 @@ class ViewPlannerModule : public Module {
   int uav_;
   std::shared_ptr<MapHearer> map_hearer_;
   planner::PathSearch path_search_;
-  planner::TopologicalGrid topological_grid_;
   planner::ViewPlanner planner_;
 
   std::shared_ptr<Inbox<citrine_lcm::uav_state_t>> states_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace citrine::planner {
 
@@ -28,16 +29,19 @@ std::vector<Ball> BallsAround(std::vector<Ball> balls, const Eigen::Vector3d& st
 }  // namespace
 
 PathSearch::PathSearch(const PlanningMap& map, const VehicleLimits& limits, double margin_m)
+    : PathSearch(std::make_shared<ReachableSet>(map, limits, margin_m), limits, margin_m) {}
+
+PathSearch::PathSearch(std::shared_ptr<ReachableSet> reachable, const VehicleLimits& limits, double margin_m)
     : limits_(limits),
-      reachable_(map, limits, margin_m),
-      hopeful_(map, limits, margin_m, Unknown::kFree),
-      coarse_(map.grid(), 2),
-      fine_(map.grid(), 1) {}
+      reachable_(std::move(reachable)),
+      hopeful_(reachable_->space().map(), limits, margin_m, Unknown::kFree),
+      coarse_(reachable_->space().map().grid(), 2),
+      fine_(reachable_->space().map().grid(), 1) {}
 
 std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                      const std::vector<Ball>& avoid) {
-  reachable_.Update(start_W);
-  const SafeSpace& space = reachable_.space();
+  reachable_->Update(start_W);
+  const SafeSpace& space = reachable_->space();
   const VoxelGrid& grid = space.map().grid();
   const std::optional<VoxelIndex> from = space.NearestSafeVoxel(start_W, 3.0);
   if (!from) return std::nullopt;
@@ -46,9 +50,9 @@ std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen
 
   Path path;
   path.limits = limits_;
-  const bool at_goal = space.Slack(goal_W) >= 0 && reachable_.Reaches(goal_W);
+  const bool at_goal = space.Slack(goal_W) >= 0 && reachable_->Reaches(goal_W);
   const std::optional<VoxelIndex> to =
-      at_goal ? grid.IndexOf(goal_W) : reachable_.Nearest(goal_W, kGoalTolerance_m);
+      at_goal ? grid.IndexOf(goal_W) : reachable_->Nearest(goal_W, kGoalTolerance_m);
   std::vector<VoxelIndex> way;
   if (to) way = WayTo(*from, *to, balls);
   path.ends_at_goal = !way.empty();
@@ -69,12 +73,12 @@ std::optional<Path> PathSearch::Find(const Eigen::Vector3d& start_W, const Eigen
 
 std::vector<VoxelIndex> PathSearch::WayTo(const VoxelIndex& from, const VoxelIndex& to,
                                           const std::vector<Ball>& avoid) {
-  if (!reachable_.Reaches(to)) return {};
-  const SafeSpace& space = reachable_.space();
+  if (!reachable_->Reaches(to)) return {};
+  const SafeSpace& space = reachable_->space();
   const VoxelGrid& grid = space.map().grid();
   if (InsideABall(grid.Centre(to), avoid)) return {};
   const auto cost = [&](const VoxelIndex& v, std::size_t linear) -> std::uint32_t {
-    if (!reachable_.ReachesInside(v)) return 0;
+    if (!reachable_->ReachesInside(v)) return 0;
     if (!avoid.empty() && InsideABall(grid.Centre(v), avoid)) return 0;
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
@@ -85,7 +89,7 @@ std::vector<VoxelIndex> PathSearch::WayTo(const VoxelIndex& from, const VoxelInd
 
 std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eigen::Vector3d& goal_W,
                                                const std::vector<Ball>& avoid) {
-  const SafeSpace& space = reachable_.space();
+  const SafeSpace& space = reachable_->space();
   const VoxelGrid& grid = space.map().grid();
   const VoxelIndex goal = grid.IndexOf(goal_W);
   const bool open = grid.Inside(goal) && space.OpenVoxel(grid.Linear(goal));
@@ -95,13 +99,13 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
   const auto cost = [&](const VoxelIndex& v, std::size_t linear) -> std::uint32_t {
     if (!space.OpenVoxel(linear)) return 0;
     if (!avoid.empty() && InsideABall(grid.Centre(v), avoid)) return 0;
-    if (!reachable_.ReachesInside(v)) return kUnit + 1;
+    if (!reachable_->ReachesInside(v)) return kUnit + 1;
     return space.RoomyVoxel(linear) ? kUnit : kUnit + 1;
   };
   std::vector<VoxelIndex> way = coarse_.Find(from, goal, tolerance, kHopefulMax, cost);
   if (way.empty()) way = coarse_.WayToNearest();
-  const auto first_beyond =
-      std::find_if(way.begin(), way.end(), [&](const VoxelIndex& v) { return !reachable_.ReachesInside(v); });
+  const auto first_beyond = std::find_if(way.begin(), way.end(),
+                                         [&](const VoxelIndex& v) { return !reachable_->ReachesInside(v); });
   way.erase(first_beyond, way.end());
   if (way.empty() || (grid.Centre(way.back()) - grid.Centre(from)).norm() < kShortest_m) return {};
   return way;
@@ -109,7 +113,7 @@ std::vector<VoxelIndex> PathSearch::WayTowards(const VoxelIndex& from, const Eig
 
 std::vector<Eigen::Vector3d> PathSearch::Shorten(const std::vector<Eigen::Vector3d>& points_W,
                                                  const std::vector<Ball>& avoid) const {
-  const SafeSpace& space = reachable_.space();
+  const SafeSpace& space = reachable_->space();
   std::vector<Eigen::Vector3d> corners_W = {points_W.front()};
   // From every corner gallops ahead as long as the chord is safe, then halves back to the furthest safe one.
   for (std::size_t here = 0; here + 1 < points_W.size();) {

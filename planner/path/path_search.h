@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,8 @@ class PathSearch {
  public:
   /// @param margin_m clearance to occupied space beyond the robot's radius
   PathSearch(const PlanningMap& map, const VehicleLimits& limits, double margin_m);
+  /// @param reachable  with the same limits and margin; shared with others, who bring it up to date as well
+  PathSearch(std::shared_ptr<ReachableSet> reachable, const VehicleLimits& limits, double margin_m);
 
   /// The way from a start to a goal. A start that is not safe first goes to the nearest safe place. A goal
   /// that cannot be reached is replaced by the furthest reachable point of the best way that would be
@@ -28,7 +31,7 @@ class PathSearch {
                            const std::vector<Ball>& avoid = {});
 
   /// The safe voxels connected to the last start.
-  const ReachableSet& reachable() const { return reachable_; }
+  const ReachableSet& reachable() const { return *reachable_; }
 
  private:
   /// Voxel centres of the way between two voxels; empty: none.
@@ -39,7 +42,7 @@ class PathSearch {
                                        const std::vector<Ball>& avoid) const;
 
   VehicleLimits limits_;
-  ReachableSet reachable_;
+  std::shared_ptr<ReachableSet> reachable_;
   ReachableSet hopeful_;  ///< through unknown space
   LatticeSearch coarse_, fine_;
 };

@@ -35,7 +35,7 @@ struct ViewPlanner::Prospect {
 
 ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
   const Start start = StartOf(now);
-  reachable_.Update(start.leaves.p_W);
+  reachable_->Update(start.leaves.p_W);
   blocked_.erase(
       std::remove_if(blocked_.begin(), blocked_.end(), [&](const Blocked& b) { return b.until <= now; }),
       blocked_.end());
@@ -260,7 +260,7 @@ std::optional<Path> ViewPlanner::FindWay(const Start& start, const View& view,
                                          const std::vector<PlanningMap::Ball>& avoid) {
   std::optional<Path> way = find_path_(start.p_W, view.p_W, avoid);
   if (!way || !start.through) return way;
-  std::vector<Waypoint> before = {{start.leaves.p_W, reachable_.space().FreeRadius(start.leaves.p_W)}};
+  std::vector<Waypoint> before = {{start.leaves.p_W, reachable_->space().FreeRadius(start.leaves.p_W)}};
   const std::optional<Path> there = find_path_(start.leaves.p_W, start.p_W, avoid);
   if (there && there->ends_at_goal) before.assign(there->waypoints.begin(), there->waypoints.end() - 1);
   way->waypoints.insert(way->waypoints.begin(), before.begin(), before.end());

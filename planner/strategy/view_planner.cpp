@@ -25,7 +25,8 @@ double SettleTime(const MissionConfig& config) {
 }  // namespace
 
 ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map,
-                         const ActiveSurface& surface, FindPath find_path, LengthsFrom lengths_from)
+                         const ActiveSurface& surface, std::shared_ptr<ReachableSet> reachable,
+                         FindPath find_path, LengthsFrom lengths_from)
     : config_(config),
       uav_(uav),
       map_(map),
@@ -33,7 +34,7 @@ ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap
       lengths_from_(std::move(lengths_from)),
       window_(config.lidar.model),
       surface_(surface),
-      reachable_(map, config.uav.limits, config.planner.path_margin_m),
+      reachable_(std::move(reachable)),
       generator_(map, window_, [this](const Eigen::Vector3d& p_W) { return MayStand(p_W); },
                  {config.quality.eta_m, config.map.weight_policy != "best_view"}),
       memory_(map.grid(), config.lidar.model.range_max_m),
@@ -73,7 +74,7 @@ bool ViewPlanner::Active(std::uint32_t voxel) const {
 }
 
 bool ViewPlanner::MayStand(const Eigen::Vector3d& p_W) const {
-  return reachable_.Reaches(p_W) && reachable_.space().Safe(p_W);
+  return reachable_->Reaches(p_W) && reachable_->space().Safe(p_W);
 }
 
 TrajectoryPoint ViewPlanner::Ahead(Utime now) const {

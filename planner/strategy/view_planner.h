@@ -38,9 +38,11 @@ class ViewPlanner {
       std::function<std::optional<Path>(const Eigen::Vector3d& start_W, const Eigen::Vector3d& goal_W,
                                         const std::vector<PlanningMap::Ball>& avoid)>;
 
-  /// @param map,surface followed, not copied  @throws ConfigError for an unknown strategy
+  /// @param map,surface followed, not copied  @param reachable  of the map, as far from occupied space as
+  /// paths keep; it may be shared, for it is brought up to date before it is asked  @throws ConfigError for
+  /// an unknown strategy
   ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, const ActiveSurface& surface,
-              FindPath find_path, LengthsFrom lengths_from);
+              std::shared_ptr<ReachableSet> reachable, FindPath find_path, LengthsFrom lengths_from);
   ~ViewPlanner();
 
   void HearState(int uav, const UavState& state, Utime now);
@@ -149,7 +151,7 @@ class ViewPlanner {
   LengthsFrom lengths_from_;
   SensorWindow window_;
   const ActiveSurface& surface_;
-  ReachableSet reachable_;
+  std::shared_ptr<ReachableSet> reachable_;
   ViewGenerator generator_;
   ElementMemory memory_;
   Looks looks_;

@@ -21,6 +21,7 @@ class ViewPlannerTest : public ::testing::Test {
     for (int uav = 1; uav <= uavs; ++uav) {
       planners.push_back(std::make_unique<ViewPlanner>(
           config, uav, world.map, surface,
+          std::make_shared<ReachableSet>(world.map, config.uav.limits, config.planner.path_margin_m),
           [](const auto& start_W, const auto& goal_W, const auto&) -> std::optional<Path> {
             Path path;
             path.waypoints = {{start_W, 1}, {goal_W, 1}};
