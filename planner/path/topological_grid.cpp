@@ -21,8 +21,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TopologicalGrid::TopologicalGrid(const PlanningMap& map)
     : map_(map),
-      size_((map.grid().voxels().array() + kCellVoxels - 1) / kCellVoxels),
-      cell_m_(kCellVoxels * map.grid().voxel_m()) {}
+      size_((map.grid().voxels().array() + kCellVoxels - 1) / kCellVoxels + 2),
+      cell_m_(kCellVoxels * map.grid().voxel_m()) {
+  for (std::size_t i = 0; i < neighbours_.size(); ++i) {
+    const Eigen::Vector3i step(kN26[i][0], kN26[i][1], kN26[i][2]);
+    neighbours_[i] = {step.x() + size_.x() * (step.y() + size_.y() * step.z()),
+                      cell_m_ * step.cast<double>().norm()};
+  }
+}
 
 void TopologicalGrid::ReadMap() {
   if (revision_ == map_.revision()) return;
@@ -33,7 +39,7 @@ void TopologicalGrid::ReadMap() {
   for (int z = lo.z(); z < hi.z(); ++z)
     for (int y = lo.y(); y < hi.y(); ++y) {
       const std::size_t row = grid.Linear({0, y, z});
-      const int cells = size_.x() * (y / kCellVoxels + size_.y() * (z / kCellVoxels));
+      const int cells = 1 + size_.x() * (1 + y / kCellVoxels + size_.y() * (1 + z / kCellVoxels));
       for (int x = lo.x(); x < hi.x(); ++x)
         empty_voxels[static_cast<std::size_t>(cells + x / kCellVoxels)] +=
             map_.state(row + static_cast<std::size_t>(x)) == VoxelState::kEmpty;
@@ -45,13 +51,13 @@ void TopologicalGrid::ReadMap() {
 
 int TopologicalGrid::CellOf(const Eigen::Vector3d& p_W) const {
   const VoxelIndex v = map_.grid().IndexOf(p_W);
-  const Eigen::Vector3i c = (v.array().max(0) / kCellVoxels).min(size_.array() - 1);
+  const Eigen::Vector3i c = (v.array().max(0) / kCellVoxels + 1).min(size_.array() - 2);
   return c.x() + size_.x() * (c.y() + size_.y() * c.z());
 }
 
 Eigen::Vector3d TopologicalGrid::Centre(int cell) const {
   const Eigen::Vector3i c(cell % size_.x(), cell / size_.x() % size_.y(), cell / (size_.x() * size_.y()));
-  return map_.grid().origin_W() + (c.cast<double>().array() + 0.5).matrix() * cell_m_;
+  return map_.grid().origin_W() + (c.cast<double>().array() - 0.5).matrix() * cell_m_;
 }
 
 int TopologicalGrid::NearestFree(const Eigen::Vector3d& p_W) const {
@@ -59,10 +65,13 @@ int TopologicalGrid::NearestFree(const Eigen::Vector3d& p_W) const {
   if (free_[static_cast<std::size_t>(own)]) return own;
   int nearest = -1;
   double best = kInfinity;
-  for (int cell = 0; cell < static_cast<int>(free_.size()); ++cell) {
-    if (!free_[static_cast<std::size_t>(cell)]) continue;
-    const double d2 = (Centre(cell) - p_W).squaredNorm();
-    if (d2 < best) best = d2, nearest = cell;
+  for (int row = 0; row < static_cast<int>(free_.size()); row += size_.x()) {
+    if ((Centre(row) - p_W).tail<2>().squaredNorm() >= best) continue;
+    for (int cell = row; cell < row + size_.x(); ++cell) {
+      if (!free_[static_cast<std::size_t>(cell)]) continue;
+      const double d2 = (Centre(cell) - p_W).squaredNorm();
+      if (d2 < best) best = d2, nearest = cell;
+    }
   }
   return nearest;
 }
@@ -87,15 +96,13 @@ std::vector<double> TopologicalGrid::LengthsFrom(const Eigen::Vector3d& from_W,
     open.pop();
     if (length > length_m_[static_cast<std::size_t>(cell)]) continue;
     std::erase(waited_for, cell);
-    const Eigen::Vector3i c(cell % size_.x(), cell / size_.x() % size_.y(), cell / (size_.x() * size_.y()));
-    for (const auto& n : kN26) {
-      const Eigen::Vector3i step(n[0], n[1], n[2]), next = c + step;
-      if ((next.array() < 0).any() || (next.array() >= size_.array()).any()) continue;
-      const auto i = static_cast<std::size_t>(next.x() + size_.x() * (next.y() + size_.y() * next.z()));
-      const double there = length + cell_m_ * step.cast<double>().norm();
+    for (const Neighbour& neighbour : neighbours_) {
+      const int next = cell + neighbour.cells;
+      const auto i = static_cast<std::size_t>(next);
+      const double there = length + neighbour.length_m;
       if (!free_[i] || there >= length_m_[i]) continue;
       length_m_[i] = there;
-      open.push({there, static_cast<int>(i)});
+      open.push({there, next});
     }
   }
   for (std::size_t i = 0; i < to_W.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,14 +23,19 @@ class TopologicalGrid {
   std::vector<double> LengthsFrom(const Eigen::Vector3d& from_W, const std::vector<Eigen::Vector3d>& to_W);
 
  private:
+  struct Neighbour {
+    int cells;  ///< on, in memory
+    double length_m;
+  };
   void ReadMap();
   int CellOf(const Eigen::Vector3d& p_W) const;
   Eigen::Vector3d Centre(int cell) const;
   int NearestFree(const Eigen::Vector3d& p_W) const;  ///< -1: there is none
 
   const PlanningMap& map_;
-  Eigen::Vector3i size_;
+  Eigen::Vector3i size_;  ///< with a border of one cell, which is never free
   double cell_m_;
+  std::array<Neighbour, 26> neighbours_;
   std::vector<std::uint8_t> free_;
   std::vector<double> length_m_;
   std::int64_t revision_ = -1;

@@ -35,10 +35,10 @@ Eigen::Vector3d PoseLattice::At(std::size_t pose) const {
 }
 
 bool PoseLattice::Allowed(std::size_t pose, const Eigen::Vector3d& p_W) {
-  Answer& answer = poses_[pose].answer;
+  Answer answer = poses_[pose].answer.load(std::memory_order_relaxed);
   if (answer == Answer::kNotAsked) {
     answer = allowed_(p_W) ? Answer::kAllowed : Answer::kForbidden;
-    asked_W_.extend(p_W);
+    poses_[pose].answer.store(answer, std::memory_order_relaxed);
   }
   return answer == Answer::kAllowed;
 }
@@ -46,12 +46,15 @@ bool PoseLattice::Allowed(std::size_t pose, const Eigen::Vector3d& p_W) {
 std::vector<std::size_t> PoseLattice::WithWorth() const {
   std::vector<std::size_t> poses;
   for (std::size_t pose = 0; pose < poses_.size(); ++pose)
-    if (poses_[pose].worth > 0) poses.push_back(pose);
+    if (worth(pose) > 0) poses.push_back(pose);
   return poses;
 }
 
-bool PoseLattice::Near(const Eigen::Vector3d& centre_W, double radius_m) const {
-  return !asked_W_.isEmpty() && asked_W_.squaredExteriorDistance(centre_W) <= radius_m * radius_m;
+Eigen::AlignedBox3d PoseLattice::AskedAbout_W() const {
+  Eigen::AlignedBox3d asked_W;
+  for (std::size_t pose = 0; pose < poses_.size(); ++pose)
+    if (poses_[pose].answer != Answer::kNotAsked) asked_W.extend(At(pose));
+  return asked_W;
 }
 
 }  // namespace citrine::planner

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,9 +13,10 @@
 namespace citrine::planner {
 
 /// Poses on a lattice over the inside of a grid, 1 m apart across and 0.5 m up, and what each is worth.
+/// Several threads may visit them.
 class PoseLattice {
  public:
-  /// @param allowed asked at most once a pose; outlives the lattice
+  /// @param allowed says always the same of a pose; outlives the lattice
   PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed);
 
   /// Calls visit(pose, p_W) for every allowed pose within a radius for which counts(pose).
@@ -35,17 +37,20 @@ class PoseLattice {
   }
 
   Eigen::Vector3d At(std::size_t pose) const;
-  int& worth(std::size_t pose) { return poses_[pose].worth; }
+  int worth(std::size_t pose) const { return poses_[pose].worth.load(std::memory_order_relaxed); }
+  void AddWorth(std::size_t pose, int worth) {
+    poses_[pose].worth.fetch_add(worth, std::memory_order_relaxed);
+  }
   /// The poses that are worth something so far, ascending.
   std::vector<std::size_t> WithWorth() const;
-  /// Whether poses that are worth something may lie within a radius.
-  bool Near(const Eigen::Vector3d& centre_W, double radius_m) const;
+  /// Around all poses that were in reach of a visit, allowed or not.
+  Eigen::AlignedBox3d AskedAbout_W() const;
 
  private:
   enum class Answer : std::uint8_t { kNotAsked, kAllowed, kForbidden };
   struct Pose {
-    int worth = 0;
-    Answer answer = Answer::kNotAsked;
+    std::atomic<int> worth = 0;
+    std::atomic<Answer> answer = Answer::kNotAsked;
   };
   struct Box {
     Eigen::Vector3i lo, hi;
@@ -60,7 +65,6 @@ class PoseLattice {
   const std::function<bool(const Eigen::Vector3d&)>& allowed_;
   Eigen::Vector3i stride_, size_;
   std::vector<Pose> poses_;
-  Eigen::AlignedBox3d asked_W_;  ///< around all that has been asked for
 };
 
 }  // namespace citrine::planner

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/parallel_for.h"
 #include "core/trajectory/path.h"
 #include "planner/view/pose_lattice.h"
 #include "planner/view/view_generator.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kStop_m = 1.5;  ///< of flight, that slowing down for a view is worth
 constexpr double kAsGood = 0.8;
+constexpr int kParts = 8;  ///< that threads take
 constexpr std::size_t kViewsMax = 8;
 constexpr std::uint32_t kNoElement = ~std::uint32_t{0};
 
@@ -73,17 +75,21 @@ double ReachOf(const Element& element, const SensorWindow& window) {
 template <class Counts>
 std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map, const SensorWindow& window,
                                     const std::vector<Alike>& groups, const Counts& counts) {
+  std::vector<std::uint8_t> settled(groups.size(), 0);
+  ParallelFor(static_cast<int>(groups.size()), kParts, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const Element& element = *groups[i].element;
+      lattice.Within(element.p_W, ReachOf(element, window), counts,
+                     [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
+                       if (!WellSeen(map, element, window, pose_W)) return;
+                       lattice.AddWorth(pose, groups[i].worth);
+                       settled[i] = 1;
+                     });
+    }
+  });
   std::vector<std::uint32_t> unsettled;
-  for (const Alike& alike : groups) {
-    bool settled = false;
-    lattice.Within(alike.element->p_W, ReachOf(*alike.element, window), counts,
-                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
-                     if (!WellSeen(map, *alike.element, window, pose_W)) return;
-                     lattice.worth(pose) += alike.worth;
-                     settled = true;
-                   });
-    if (!settled) unsettled.push_back(alike.element->linear);
-  }
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    if (!settled[i]) unsettled.push_back(groups[i].element->linear);
   return unsettled;
 }
 
@@ -91,10 +97,14 @@ std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map
 std::vector<std::size_t> Around(const Patch& patch, const std::vector<Element>& elements,
                                 const PoseLattice& lattice, const SensorWindow& window) {
   std::vector<std::size_t> around;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!std::binary_search(patch.elements.begin(), patch.elements.end(), i) &&
-        lattice.Near(elements[i].p_W, ReachOf(elements[i], window)))
+  const Eigen::AlignedBox3d asked_W = lattice.AskedAbout_W();
+  if (asked_W.isEmpty()) return around;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double reach_m = ReachOf(elements[i], window);
+    if (asked_W.squaredExteriorDistance(elements[i].p_W) <= reach_m * reach_m &&
+        !std::binary_search(patch.elements.begin(), patch.elements.end(), i))
       around.push_back(i);
+  }
   return around;
 }
 

@@ -102,7 +102,7 @@ RigidBodies::RigidBodies(const TriMesh& world, const QuadrotorModel& model,
   StartEngine();
   impl_->seed = seed;
   impl_->world = dWorldCreate();
-  impl_->space = dHashSpaceCreate(nullptr);
+  impl_->space = dSimpleSpaceCreate(nullptr);
   impl_->contacts = dJointGroupCreate(0);
   dWorldSetGravity(impl_->world, 0, 0, -kGravity_mps2);
   impl_->AddMesh(world);
