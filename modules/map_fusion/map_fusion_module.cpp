@@ -10,6 +10,7 @@
 
 #include "core/map/mission_grid.h"
 #include "core/map/ply.h"
+#include "core/parallel_for.h"
 #include "core/quality/map_quality.h"
 #include "fusion/cloud_image.h"
 #include "fusion/surface_mesh.h"
@@ -66,10 +67,14 @@ void MapFusionModule::Tick(const Step& step) {
   HearFleet();
   IntegrateScans();
   hearer_->Update(step);
-  if (blocks_to_say_.empty() && publish_.Due(step.now)) QueueBlocks();
+  const bool blocks = blocks_to_say_.empty() && publish_.Due(step.now), progress = progress_.Due(step.now);
+  // What is fused and what is heard of it are two maps.
+  RunParts(2, [&](int part) {
+    if (part == 0 && blocks) QueueBlocks();
+    if (part == 1 && progress) progress_to_say_ = Progress();
+  });
   if (octree_to_say_.empty() && say_octree_ && say_octree_->Due(step.now)) QueueOctree();
   SayQueued();
-  if (progress_.Due(step.now)) SayProgress();
   if (step.last) WriteResults();
 }
 
@@ -152,16 +157,17 @@ void MapFusionModule::SayQueued() {
     bus_.Publish(channels::kMapOctree, std::move(octree_to_say_.front()));
     octree_to_say_.pop_front();
   }
+  if (progress_to_say_) bus_.Publish(channels::kMissionProgress, Encode(*progress_to_say_));
+  progress_to_say_.reset();
 }
 
 bool MapFusionModule::NobodyHasAViewLeft() const {
   return std::all_of(no_view_left_.begin(), no_view_left_.end(), [](bool none) { return none; });
 }
 
-void MapFusionModule::SayProgress() {
+MissionProgress MapFusionModule::Progress() {
   const std::int64_t version = std::max<std::int64_t>(hearer_->map_version(), 0);
-  bus_.Publish(channels::kMissionProgress,
-               Encode(ProgressOf(hearer_->map(), hearer_->Surface(), NobodyHasAViewLeft(), version)));
+  return ProgressOf(hearer_->map(), hearer_->Surface(), NobodyHasAViewLeft(), version);
 }
 
 void MapFusionModule::WriteResults() {

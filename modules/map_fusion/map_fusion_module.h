@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/map/occupancy_tree.h"
+#include "core/quality/mission_progress.h"
 #include "fusion/block_rotation.h"
 #include "fusion/map_fuser.h"
 #include "modules/channels.h"
@@ -41,7 +42,7 @@ class MapFusionModule : public Module {
   void IntegrateScans();
   void QueueBlocks();
   void SayQueued();
-  void SayProgress();
+  MissionProgress Progress();
   void QueueOctree();
   void WriteResults();
   bool NobodyHasAViewLeft() const;
@@ -67,6 +68,7 @@ class MapFusionModule : public Module {
   std::optional<Every> say_octree_;
   std::deque<citrine_lcm::map_blocks_t> blocks_to_say_;
   std::deque<citrine_lcm::octree_t> octree_to_say_;
+  std::optional<MissionProgress> progress_to_say_;
   std::optional<citrine_lcm::map_summary_t>
       summary_to_say_;  ///< of the map when `blocks_to_say_` have been said
 };
