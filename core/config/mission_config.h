@@ -161,6 +161,7 @@ struct PlannerSection {
   double path_margin_m = 0.1;
   std::string candidates = "patch";
   double hop_min_m = 2.5;
+  double strays_m = 3;
 
   template <class V>
   void Visit(V& v) {
@@ -202,6 +203,11 @@ struct PlannerSection {
       Key{"of all: views nearer than this are not chosen where others are within twice as far: J_N would "
           "have "
           "the UAV nibble at the edge of what it sees; 0 is the paper's letter",
+          "m", 0, 20});
+    v("strays_m", strays_m,
+      Key{"low-quality elements that, in three metres, are no more voxels than a row this long has are seen "
+          "in "
+          "passing only; 0 is the paper's letter",
           "m", 0, 20});
   }
 };

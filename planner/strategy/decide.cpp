@@ -3,6 +3,7 @@
 #include "core/parallel_for.h"
 #include "planner/fleet/balance.h"
 #include "planner/path/tour.h"
+#include "planner/strategy/strays.h"
 #include "planner/strategy/view_planner.h"
 #include "planner/view/rated_views.h"
 #include "planner/view/shortlist.h"
@@ -90,6 +91,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   prospect.some_taken = kept != prospect.elements.end();
   prospect.elements.erase(kept, prospect.elements.end());
   LeaveWhatWasSeen(prospect.elements, now);
+  LeaveStrays(prospect.elements, map_.grid(), config_.planner.strays_m);
   for (Element& element : prospect.elements) element.attempts = memory_.Attempts(element.linear);
 
   const bool per_cell = config_.planner.views == "per_cell";

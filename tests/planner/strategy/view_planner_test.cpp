@@ -168,6 +168,7 @@ TEST_F(ViewPlannerTest, ABlockedGoalIsNotChosenAgainForAWhile) {
 }
 
 TEST_F(ViewPlannerTest, AMissionWhoseMapNeverChangesEndsByItself) {
+  config.planner.strays_m = 0;
   // Every goal is reached at once and no look ever helps: all elements are given up or unreachable in the
   // end.
   Add(1, {FreePlace()});
@@ -183,6 +184,18 @@ TEST_F(ViewPlannerTest, AMissionWhoseMapNeverChangesEndsByItself) {
   EXPECT_GT(statuses[0].elements_given_up, 0);
   EXPECT_GT(statuses[0].elements_unreachable, 0) << statuses[0].elements_given_up << " given up after "
                                                  << decisions << " decisions and " << Seconds(now) << " s";
+}
+
+TEST_F(ViewPlannerTest, StraysAreLeftAndSaidToBeActive) {
+  config.planner.strays_m = 3;
+  Add(1, {FreePlace()});
+  Step();
+  for (; now < FromSeconds(900) && !statuses[0].no_view_left;) {
+    if (statuses[0].has_goal) states[0].X_WB.p = statuses[0].goal_W;
+    Step();
+  }
+  EXPECT_TRUE(statuses[0].no_view_left);
+  EXPECT_GT(statuses[0].elements_active, 0);
 }
 
 }  // namespace
