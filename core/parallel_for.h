@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 
 namespace citrine {
@@ -20,6 +21,14 @@ void ParallelFor(int count, int parts, Work&& work) {
     work(0, count);
   else
     RunParts(parts, [&](int part) { work(begin(part), begin(part + 1)); });
+}
+
+/// Calls work(i) for every i of [0, count), likewise.
+template <class Work>
+void ParallelForEach(std::size_t count, int parts, Work&& work) {
+  ParallelFor(static_cast<int>(count), parts, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) work(i);
+  });
 }
 
 }  // namespace citrine

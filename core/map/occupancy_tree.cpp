@@ -57,9 +57,7 @@ struct OccupancyTree::Impl {
   /// Sets a leaf; the tree follows in Settle().
   void Set(const VoxelGrid& grid, const VoxelIndex& voxel, Leaf leaf_is);
   void Settle() {
-    ParallelFor(kOctants, kOctants, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) octants[static_cast<std::size_t>(i)].Settle();
-    });
+    ParallelForEach(octants.size(), kOctants, [&](std::size_t i) { octants[i].Settle(); });
   }
 
   std::vector<Octant> octants;

@@ -134,10 +134,9 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
 void ViewPlanner::LeaveWhatWasSeen(std::vector<Element>& elements, Utime now) {
   const Utime before = now - looks_.settle_time();
   std::vector<std::uint8_t> was_seen(elements.size(), 0);
-  ParallelFor(static_cast<int>(elements.size()), kParts, [&](int begin, int end) {
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      was_seen[i] = elements[i].kind == SurfaceClass::kLqse &&
-                    flown_.Looks(map_, elements[i], window_, before, kLooksEnough) >= kLooksEnough;
+  ParallelForEach(elements.size(), kParts, [&](std::size_t i) {
+    was_seen[i] = elements[i].kind == SurfaceClass::kLqse &&
+                  flown_.Looks(map_, elements[i], window_, before, kLooksEnough) >= kLooksEnough;
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {

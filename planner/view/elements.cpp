@@ -23,24 +23,22 @@ std::vector<Element> ListElements(const PlanningMap& map, const ActiveSurface& s
     if (!skip(linear)) voxels.push_back(linear);
 
   std::vector<Element> elements(voxels.size());
-  ParallelFor(static_cast<int>(voxels.size()), kParts, [&](int begin, int end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      Element& e = elements[k];
-      e.linear = voxels[k];
-      e.kind = surface.At(e.linear);
-      e.voxel = grid.FromLinear(e.linear);
-      e.p_W = grid.Centre(e.voxel);
-      e.weight = map.weight(e.linear);
-      e.d_star_m = surface.goals().whole().d_star_m;
-      const SurfaceNormal* normal = &whole;
-      for (std::size_t i = 0; i < of_region.size(); ++i) {
-        if (!surface.goals().regions()[i].box_W.contains(e.p_W)) continue;
-        normal = &of_region[i];
-        e.d_star_m = surface.goals().regions()[i].goal.d_star_m;
-        break;
-      }
-      e.normal_W = normal->At(e.voxel);
+  ParallelForEach(voxels.size(), kParts, [&](std::size_t k) {
+    Element& e = elements[k];
+    e.linear = voxels[k];
+    e.kind = surface.At(e.linear);
+    e.voxel = grid.FromLinear(e.linear);
+    e.p_W = grid.Centre(e.voxel);
+    e.weight = map.weight(e.linear);
+    e.d_star_m = surface.goals().whole().d_star_m;
+    const SurfaceNormal* normal = &whole;
+    for (std::size_t i = 0; i < of_region.size(); ++i) {
+      if (!surface.goals().regions()[i].box_W.contains(e.p_W)) continue;
+      normal = &of_region[i];
+      e.d_star_m = surface.goals().regions()[i].goal.d_star_m;
+      break;
     }
+    e.normal_W = normal->At(e.voxel);
   });
   return elements;
 }

@@ -76,16 +76,14 @@ template <class Counts>
 std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map, const SensorWindow& window,
                                     const std::vector<Alike>& groups, const Counts& counts) {
   std::vector<std::uint8_t> settled(groups.size(), 0);
-  ParallelFor(static_cast<int>(groups.size()), kParts, [&](int begin, int end) {
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const Element& element = *groups[i].element;
-      lattice.Within(element.p_W, ReachOf(element, window), counts,
-                     [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
-                       if (!WellSeen(map, element, window, pose_W)) return;
-                       lattice.AddWorth(pose, groups[i].worth);
-                       settled[i] = 1;
-                     });
-    }
+  ParallelForEach(groups.size(), kParts, [&](std::size_t i) {
+    const Element& element = *groups[i].element;
+    lattice.Within(element.p_W, ReachOf(element, window), counts,
+                   [&](std::size_t pose, const Eigen::Vector3d& pose_W) {
+                     if (!WellSeen(map, element, window, pose_W)) return;
+                     lattice.AddWorth(pose, groups[i].worth);
+                     settled[i] = 1;
+                   });
   });
   std::vector<std::uint32_t> unsettled;
   for (std::size_t i = 0; i < groups.size(); ++i)
