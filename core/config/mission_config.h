@@ -205,9 +205,9 @@ struct PlannerSection {
           "the UAV nibble at the edge of what it sees; 0 is the paper's letter",
           "m", 0, 20});
     v("strays_m", strays_m,
-      Key{"low-quality elements that, in three metres, are no more voxels than a row this long has are seen "
-          "in "
-          "passing only; 0 is the paper's letter",
+      Key{"under best_view: low-quality elements that, in three metres, are no more voxels than a row this "
+          "long has are "
+          "seen in passing only; 0 is the paper's letter",
           "m", 0, 20});
   }
 };

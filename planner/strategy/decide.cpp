@@ -91,7 +91,9 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
   prospect.some_taken = kept != prospect.elements.end();
   prospect.elements.erase(kept, prospect.elements.end());
   LeaveWhatWasSeen(prospect.elements, now);
-  LeaveStrays(prospect.elements, map_.grid(), config_.planner.strays_m);
+  // Where weights are summed, those that lack a little are scattered over all that was seen from afar.
+  if (config_.map.weight_policy == "best_view")
+    LeaveStrays(prospect.elements, map_.grid(), config_.planner.strays_m);
   for (Element& element : prospect.elements) element.attempts = memory_.Attempts(element.linear);
 
   const bool per_cell = config_.planner.views == "per_cell";
