@@ -46,7 +46,7 @@ MapQualities QualityOf(const PlanningMap& map, const ActiveSurface& surface,
     }
     const SurfaceClass c = surface.At(i);
     if (c != SurfaceClass::kReached && c != SurfaceClass::kLqse && c != SurfaceClass::kIse) continue;
-    const std::size_t part = goals.PartOf(grid.Centre(grid.FromLinear(i)));
+    const std::size_t part = goals.regions().empty() ? 0 : goals.PartOf(grid.Centre(grid.FromLinear(i)));
     if (c == SurfaceClass::kIse) {
       ++parts[part].ise;
       continue;

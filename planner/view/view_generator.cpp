@@ -100,6 +100,7 @@ ViewGenerator::ViewGenerator(const PlanningMap& map, const SensorWindow& window,
       safe_(std::move(safe)),
       options_(options),
       stride_(std::max(1, static_cast<int>(std::lround(kLattice_m / map.grid().voxel_m())))),
+      cells_(map.grid().voxels().array() / stride_ + 1),
       lattice_(static_cast<std::size_t>(stride_ * stride_ * stride_)),
       lowest_rad_(-window.elevation_max_rad()),
       highest_rad_(-window.elevation_min_rad()) {
@@ -178,7 +179,9 @@ const std::vector<ViewGenerator::LatticePose>& ViewGenerator::LatticeAround(cons
     for (off.y() = -reach - phase.y(); off.y() <= reach; off.y() += stride_)
       for (off.x() = -reach - phase.x(); off.x() <= reach; off.x() += stride_) {
         const Eigen::Vector3d to = (-off).cast<double>() * voxel_m;
-        if (window_.Sees(to)) poses.push_back({off.cast<std::int16_t>(), to.norm()});
+        if (window_.Sees(to))
+          poses.push_back(
+              {off.cast<std::int16_t>(), CellNumber((off + phase.matrix()) / stride_), to.norm()});
       }
   return poses;
 }
@@ -186,8 +189,8 @@ const std::vector<ViewGenerator::LatticePose>& ViewGenerator::LatticeAround(cons
 std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers& answers) const {
   using Answer = LatticeAnswers::Answer;
   const VoxelGrid& grid = map_.grid();
-  const Eigen::Vector3i size = grid.voxels().array() / stride_ + 1;
-  answers.of_pose_.resize(static_cast<std::size_t>(size.prod()), Answer::kNotAsked);
+  answers.of_pose_.resize(static_cast<std::size_t>(cells_.prod()), Answer::kNotAsked);
+  const int own_cell = CellNumber(element.voxel / stride_);
   const double useful = UsefulRange(element);
   const double best_distance = Distances(element)[0].first;
   const std::vector<LatticePose>& poses = LatticeAround(element.voxel);
@@ -203,9 +206,7 @@ std::optional<View> ViewGenerator::Search(const Element& element, LatticeAnswers
       if (pose.distance_m > useful || !grid.Inside(v)) continue;
       const double off_m = std::abs(pose.distance_m - best_distance);
       if (here.NoneBetterAt(off_m)) continue;
-      const Eigen::Vector3i at = v / stride_;
-      Answer& answer =
-          answers.of_pose_[static_cast<std::size_t>((at.z() * size.y() + at.y()) * size.x() + at.x())];
+      Answer& answer = answers.of_pose_[static_cast<std::size_t>(own_cell + pose.cells)];
       if (answer == Answer::kUnsafe) continue;
       const Eigen::Vector3d p_W = grid.Centre(v);
       if (answer == Answer::kNotAsked) answer = safe_(p_W) ? Answer::kSafe : Answer::kUnsafe;

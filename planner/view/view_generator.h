@@ -73,11 +73,16 @@ class ViewGenerator {
   /// A pose of the lattice that has an element in range and field of view.
   struct LatticePose {
     Eigen::Matrix<std::int16_t, 3, 1> off;  ///< from the element [voxels]
+    int cells;                              ///< on, among the lattice's cells, from the element's
     double distance_m;
   };
   /// All of them around an element, in order of z, y, x. Made when first asked for, once for each way in
   /// which a voxel can lie to the lattice.
   const std::vector<LatticePose>& LatticeAround(const VoxelIndex& voxel) const;
+  /// Of a cell of the lattice among all of them.
+  int CellNumber(const Eigen::Vector3i& cell) const {
+    return (cell.z() * cells_.y() + cell.y()) * cells_.x() + cell.x();
+  }
   Eigen::Vector3d Turned(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& to_uav_W,
                          double margin_rad) const;
 
@@ -85,7 +90,8 @@ class ViewGenerator {
   SensorWindow window_;
   Safe safe_;
   Options options_;
-  int stride_;  ///< of the lattice [voxels]
+  int stride_;             ///< of the lattice [voxels]
+  Eigen::Vector3i cells_;  ///< of the lattice, as many as it has poses
   mutable std::vector<std::vector<LatticePose>> lattice_;
   double lowest_rad_, highest_rad_;  ///< elevation of a view seen from its element
   std::array<Eigen::Vector3d, 64> fan_;
