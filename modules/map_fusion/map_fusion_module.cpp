@@ -69,10 +69,11 @@ void MapFusionModule::Tick(const Step& step) {
   hearer_->Update(step);
   const bool blocks = blocks_to_say_.empty() && publish_.Due(step.now), progress = progress_.Due(step.now);
   // What is fused and what is heard of it are two maps.
-  RunParts(2, [&](int part) {
-    if (part == 0 && blocks) QueueBlocks();
-    if (part == 1 && progress) progress_to_say_ = Progress();
-  });
+  if (blocks || progress)
+    RunParts(2, [&](int part) {
+      if (part == 0 && blocks) QueueBlocks();
+      if (part == 1 && progress) progress_to_say_ = Progress();
+    });
   if (octree_to_say_.empty() && say_octree_ && say_octree_->Due(step.now)) QueueOctree();
   SayQueued();
   if (step.last) WriteResults();
