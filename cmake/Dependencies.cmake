@@ -3,7 +3,7 @@ find_package(Eigen3 REQUIRED)                      # everywhere
 find_package(GTest REQUIRED)                       # tests
 find_package(CLI11 REQUIRED)                       # modules
 find_package(NLopt REQUIRED)                       # planner/trajectory
-find_package(octomap REQUIRED)                     # core/map/occupancy_tree
+find_package(octomap REQUIRED)                     # tests
 find_package(embree 3 REQUIRED)                    # sim/lidar
 find_package(sdformat12 REQUIRED)                  # sim/world
 find_package(assimp REQUIRED)                      # sim/world

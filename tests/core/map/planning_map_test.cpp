@@ -1,12 +1,8 @@
 #include "core/map/planning_map.h"
 
-#include <sstream>
-
 #include <gtest/gtest.h>
-#include <octomap/OcTree.h>
 
 #include "core/digest.h"
-#include "core/map/occupancy_tree.h"
 #include "core/random.h"
 
 namespace citrine {
@@ -119,52 +115,6 @@ TEST(PlanningMap, DigestsIndexDistancesAndWeightsInOrderOfBlocks) {
   }
   EXPECT_EQ(map.Digest(), expected.value());
   EXPECT_EQ(map.num_blocks_known(), 2);
-}
-
-TEST(OccupancyTree, HoldsTheClassOfEveryVoxelAndFollowsTheMap) {
-  // In all octants about the origin.
-  PlanningMap map(VoxelGrid(0.25, {Eigen::Vector3d(-6, -4, -2), Eigen::Vector3d(6, 4, 4)}, 0.75), Codes());
-  OccupancyTree tree;
-  Random random(6);
-  for (std::uint32_t version = 1; version <= 3; ++version) {
-    for (int k = 0; k < 5; ++k) map.Apply(RandomBlock(map.grid(), random, version));
-    map.Update();
-    tree.Update(map);
-    for (std::size_t i = 0; i < map.grid().num_voxels(); ++i) {
-      const OccupancyTree::Leaf expected = map.state(i) == VoxelState::kUnknown
-                                               ? OccupancyTree::Leaf::kUnknown
-                                           : map.distance_m(i) < 0.125 ? OccupancyTree::Leaf::kOccupied
-                                                                       : OccupancyTree::Leaf::kFree;
-      ASSERT_EQ(tree.At(map.grid().Centre(map.grid().FromLinear(i))), expected);
-    }
-  }
-  // OctoMap's own tree of the same voxels, set one after the other, is written the same.
-  octomap::OcTree whole(0.25);
-  for (std::size_t i = 0; i < map.grid().num_voxels(); ++i) {
-    if (map.state(i) == VoxelState::kUnknown) continue;
-    const Eigen::Vector3f p_W = map.grid().Centre(map.grid().FromLinear(i)).cast<float>();
-    whole.setNodeValue(
-        p_W.x(), p_W.y(), p_W.z(),
-        map.distance_m(i) < 0.125 ? whole.getClampingThresMaxLog() : whole.getClampingThresMinLog());
-  }
-  std::ostringstream expected_text;
-  expected_text << "id OcTree\nsize " << whole.size() << "\nres 0.25\ndata\n";
-  whole.writeBinaryData(expected_text);
-  const std::vector<std::uint8_t> bytes = tree.Bytes();
-  const std::string text(bytes.begin(), bytes.end());
-  EXPECT_EQ(text.substr(std::min(text.find("id OcTree"), text.size())), expected_text.str());
-  std::istringstream stream(std::string(bytes.begin(), bytes.end()));
-  octomap::OcTree read(1.0);
-  ASSERT_TRUE(read.readBinary(stream));
-  EXPECT_EQ(read.getResolution(), 0.25);
-  for (std::size_t i = 0; i < map.grid().num_voxels(); i += 7) {
-    const Eigen::Vector3d p_W = map.grid().Centre(map.grid().FromLinear(i));
-    const octomap::OcTreeNode* node = read.search(p_W.x(), p_W.y(), p_W.z());
-    ASSERT_EQ(node != nullptr, tree.At(p_W) != OccupancyTree::Leaf::kUnknown);
-    if (node) {
-      ASSERT_EQ(read.isNodeOccupied(node), tree.At(p_W) == OccupancyTree::Leaf::kOccupied);
-    }
-  }
 }
 
 }  // namespace
