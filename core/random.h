@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace citrine {
 
@@ -50,6 +51,8 @@ class Random {
     const double u = (Next() + 1.0) * 0x1p-32;
     return std::sqrt(-2 * std::log(u)) * std::cos(6.283185307179586 * Uniform());
   }
+  /// As many calls of Normal() would give the same but for their last bits, in a tenth of the time.
+  void Normals(std::span<double> normals);
 
  private:
   static constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
