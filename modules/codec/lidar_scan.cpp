@@ -1,7 +1,9 @@
 #include "modules/codec/lidar_scan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -15,14 +17,44 @@ namespace {
 
 constexpr double kFinestScale_m = 1e-3;  // well below the sensor's noise, and 32 m fit into an int16
 constexpr int kLargestModel = 1 << 22;   // beams; a larger product of rows and columns is no sensor's
+constexpr double kMisfit = -2;           // for what is below any range or mark, or not a number
 constexpr auto kMaxUnits = std::numeric_limits<std::int16_t>::max();
+static_assert(std::endian::native == std::endian::little);  // as the ranges are on the wire
 
-std::int16_t Units(float range_m, double scale_m) {
-  if (range_m == kNoReturn) return citrine_lcm::lidar_scan_t::NO_RETURN;
-  if (range_m == kInvalid) return citrine_lcm::lidar_scan_t::INVALID;
-  const double units = std::round(range_m / scale_m);
-  if (!(units >= 0 && units <= kMaxUnits)) throw std::invalid_argument("a LiDAR range beyond the model's");
-  return static_cast<std::int16_t>(std::max(units, 1.0));
+// Both ways without a branch, so that the compiler makes them work on many ranges at once.
+
+/// Ranges in units of scale_m, and the marks as they are. @throws std::invalid_argument if one does not fit
+std::vector<std::int16_t> Units(const std::vector<float>& ranges_m, double scale_m) {
+  std::vector<std::int16_t> all(ranges_m.size());
+  std::int32_t least = 0, most = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float range_m = ranges_m[i];
+    const double rounded = std::floor(range_m / scale_m + 0.5);
+    auto units = static_cast<std::int32_t>(std::min(std::max(kMisfit, rounded), kMaxUnits + 1.0));
+    units = units == 0 ? 1 : units;  // a return never becomes none
+    units = range_m == kNoReturn ? citrine_lcm::lidar_scan_t::NO_RETURN : units;
+    units = range_m == kInvalid ? citrine_lcm::lidar_scan_t::INVALID : units;
+    least = std::min(least, units);
+    most = std::max(most, units);
+    all[i] = static_cast<std::int16_t>(units);
+  }
+  if (least <= kMisfit || most > kMaxUnits) throw std::invalid_argument("a LiDAR range beyond the model's");
+  return all;
+}
+
+/// The reverse. @param bytes  two a range
+std::vector<float> Ranges_m(const std::vector<std::uint8_t>& bytes, double scale_m) {
+  std::vector<float> ranges_m(bytes.size() / 2);
+  std::int16_t least = 0;
+  for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+    std::int16_t units;
+    std::memcpy(&units, &bytes[2 * i], sizeof units);
+    least = std::min(least, units);
+    ranges_m[i] =
+        units == citrine_lcm::lidar_scan_t::INVALID ? kInvalid : static_cast<float>(units * scale_m);
+  }
+  Require(least >= citrine_lcm::lidar_scan_t::INVALID, "lidar_scan_t: a negative range");
+  return ranges_m;
 }
 
 }  // namespace
@@ -40,14 +72,8 @@ citrine_lcm::lidar_scan_t Encode(const LidarScan& scan) {
   message.range_scale_m = std::max(kFinestScale_m, scan.model.range_max_m / 32000);
   message.num_rows = scan.model.rows;
   message.num_cols = scan.model.cols;
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(2 * scan.ranges_m.size());
-  for (const float range_m : scan.ranges_m) {
-    const auto units = static_cast<std::uint16_t>(Units(range_m, message.range_scale_m));
-    bytes.push_back(static_cast<std::uint8_t>(units & 0xff));
-    bytes.push_back(static_cast<std::uint8_t>(units >> 8));
-  }
-  message.ranges = Pack(bytes);
+  const std::vector<std::int16_t> units = Units(scan.ranges_m, message.range_scale_m);
+  message.ranges = Pack({reinterpret_cast<const std::uint8_t*>(units.data()), 2 * units.size()});
   message.num_bytes = static_cast<std::int32_t>(message.ranges.size());
   return message;
 }
@@ -66,15 +92,9 @@ LidarScan Decode(const citrine_lcm::lidar_scan_t& message) {
       "lidar_scan_t: num_rows or num_cols out of range");
   scan.model = {message.num_rows,          message.num_cols,    message.elevation_min_rad,
                 message.elevation_max_rad, message.range_min_m, message.range_max_m};
-  const auto bytes =
-      Unpack(message.ranges, 2 * scan.model.num_beams(), "lidar_scan_t: ranges are not one a beam");
-  scan.ranges_m.reserve(scan.model.num_beams());
-  for (std::size_t i = 0; i < bytes.size(); i += 2) {
-    const auto units = static_cast<std::int16_t>(bytes[i] | bytes[i + 1] << 8);
-    Require(units >= message.INVALID, "lidar_scan_t: a negative range");
-    scan.ranges_m.push_back(units == message.INVALID ? kInvalid
-                                                     : static_cast<float>(units * message.range_scale_m));
-  }
+  scan.ranges_m =
+      Ranges_m(Unpack(message.ranges, 2 * scan.model.num_beams(), "lidar_scan_t: ranges are not one a beam"),
+               message.range_scale_m);
   return scan;
 }
 

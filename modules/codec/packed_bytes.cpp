@@ -8,7 +8,7 @@
 
 namespace citrine {
 
-std::vector<std::uint8_t> Pack(const std::vector<std::uint8_t>& bytes) {
+std::vector<std::uint8_t> Pack(std::span<const std::uint8_t> bytes) {
   std::vector<std::uint8_t> packed(ZSTD_compressBound(bytes.size()));
   const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
   if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
