@@ -23,7 +23,9 @@ struct MapHearer::Impl {
         summaries(bus.Hear(channels::kMapSummary)) {}
 
   void HearBlocks();
-  void HearSummaries();
+  std::optional<MapSummary> NewestSummary();
+  /// Brings the elements up to date if anybody has asked for them.
+  void FollowSurface();
   void Compare(const MapSummary& summary);
 
   Bus& bus;
@@ -49,8 +51,12 @@ bool MapHearer::Update(const Step& step) {
   if (step.index != impl_->last_step) {
     impl_->last_step = step.index;
     impl_->HearBlocks();
-    impl_->changed_in_step = impl_->map.Update();
-    impl_->HearSummaries();
+    const std::optional<MapSummary> summary = impl_->NewestSummary();
+    impl_->changed_in_step = impl_->map.Update({[this] { impl_->FollowSurface(); },
+                                                [&] {
+                                                  if (summary) impl_->Compare(*summary);
+                                                }});
+    if (summary && !impl_->changed_in_step) impl_->Compare(*summary);
   }
   return impl_->changed_in_step;
 }
@@ -63,7 +69,7 @@ void MapHearer::Impl::HearBlocks() {
   });
 }
 
-void MapHearer::Impl::HearSummaries() {
+std::optional<MapSummary> MapHearer::Impl::NewestSummary() {
   std::optional<MapSummary> newest;
   HearNouns(bus, channels::kMapSummary, *summaries, [&](const MapSummary& summary, Utime) {
     Require(summary.grid == map.grid(), "map_summary_t: another grid than the mission's");
@@ -72,7 +78,13 @@ void MapHearer::Impl::HearSummaries() {
             "map_summary_t: other codes than the mission's");
     newest = summary;
   });
-  if (newest) Compare(*newest);
+  return newest;
+}
+
+void MapHearer::Impl::FollowSurface() {
+  if (!surface || surface_revision == map.revision()) return;
+  surface->Update(map);
+  surface_revision = map.revision();
 }
 
 void MapHearer::Impl::Compare(const MapSummary& summary) {
@@ -89,8 +101,7 @@ const PlanningMap& MapHearer::map() const { return impl_->map; }
 const ActiveSurface& MapHearer::Surface() {
   std::optional<ActiveSurface>& surface = impl_->surface;
   if (!surface) surface.emplace(map().grid(), map().quantisation(), impl_->goals);
-  if (impl_->surface_revision != map().revision()) surface->Update(map());
-  impl_->surface_revision = map().revision();
+  impl_->FollowSurface();
   return *surface;
 }
 

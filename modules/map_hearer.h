@@ -22,8 +22,8 @@ class MapHearer {
   bool Update(const Step& step);
 
   const PlanningMap& map() const;
-  /// Its active surface elements, as of the map at present; the first who asks after a change does the work.
-  /// Always the same object.
+  /// Its active surface elements, as of the map at present: once asked for, Update keeps them so. Always the
+  /// same object.
   const ActiveSurface& Surface();
   /// Where a UAV can get through its free space, and how far it is: whoever asks brings them up to date
   /// first.

@@ -106,25 +106,25 @@ bool PlanningMap::Apply(const MapBlock& block) {
   return change.any;
 }
 
-bool PlanningMap::Update() {
+bool PlanningMap::Update(const std::vector<std::function<void()>>& meanwhile) {
   if (pending_.empty()) return false;
   std::sort(pending_.begin(), pending_.end());
   pending_.erase(std::unique(pending_.begin(), pending_.end()), pending_.end());
-  const auto update = [this](DistanceField& field, std::vector<int> pending,
-                             const std::vector<std::uint8_t>& sites) {
-    for (const DirtyBox& box : DirtyBoxes(grid_, std::move(pending), field.radius_vox()))
-      field.Update(sites, box.min, box.max);
-  };
-  RunParts(2, [&](int part) {
-    if (part == 0)
-      update(to_occupied_, std::move(pending_occupied_), occupied_site_);
-    else
-      update(to_unknown_, std::move(pending_unknown_), unknown_site_);
-  });
-  pending_occupied_.clear();
-  pending_unknown_.clear();
   changed_ = std::exchange(pending_, {});
   ++revision_;
+  const auto update = [this](DistanceField& field, std::vector<int>& pending,
+                             const std::vector<std::uint8_t>& sites) {
+    for (const DirtyBox& box : DirtyBoxes(grid_, std::exchange(pending, {}), field.radius_vox()))
+      field.Update(sites, box.min, box.max);
+  };
+  RunParts(2 + static_cast<int>(meanwhile.size()), [&](int part) {
+    if (part == 0)
+      update(to_occupied_, pending_occupied_, occupied_site_);
+    else if (part == 1)
+      update(to_unknown_, pending_unknown_, unknown_site_);
+    else
+      meanwhile[static_cast<std::size_t>(part) - 2]();
+  });
   return true;
 }
 

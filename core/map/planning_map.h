@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,7 +55,8 @@ class PlanningMap {
 
   /// Brings the distance fields up to date with the blocks applied since. @return whether anything had
   /// changed
-  bool Update();
+  /// @param meanwhile  called then, on other threads as far as there are: may ask for all but distances
+  bool Update(const std::vector<std::function<void()>>& meanwhile = {});
 
   const VoxelGrid& grid() const { return grid_; }
   const Quantisation& quantisation() const { return quantisation_; }

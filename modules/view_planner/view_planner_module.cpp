@@ -38,7 +38,7 @@ ViewPlannerModule::ViewPlannerModule(const ModuleContext& context)
             return FindPath(start_W, goal_W, avoid);
           },
           [this](const auto& from_W, const auto& to_W) {
-            return map_hearer_->topological_grid().LengthsFrom(from_W, to_W);
+            return map_hearer_->topological_grid().LengthsBetween(from_W, to_W);
           }),
       states_(bus_.HearAll(channels::kUavState, kStateQueue)),
       statuses_(bus_.HearAll(channels::kFleetStatus, kStateQueue)),
@@ -73,9 +73,8 @@ void ViewPlannerModule::Tick(const Step& step) {
   HearAll(step.now);
   if (map_changed) {
     const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
-    map_hearer_->Surface();
     planner_.HearMap(step.now);
-    health_.Sample("surface_ms", stopwatch.ms());
+    health_.Sample("hear_map_ms", stopwatch.ms());
   }
   path_ms_ = 0;
   const CpuStopwatch stopwatch(CpuStopwatch::Of::kProcess);
