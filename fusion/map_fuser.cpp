@@ -6,12 +6,13 @@
 
 #include "core/digest.h"
 #include "core/map/planning_map.h"
+#include "core/parallel_for.h"
 #include "core/quality/confidence.h"
 
 namespace citrine::fusion {
 
 namespace {
-constexpr int kParts = 8;  ///< of a scan's blocks, that threads take
+constexpr int kParts = 8;  ///< of blocks, that threads take
 }  // namespace
 
 MapFuser::MapFuser(const VoxelGrid& grid, double truncation_m, const Quantisation& quantisation,
@@ -51,13 +52,20 @@ void MapFuser::Restore(TsdfMap saved, std::int64_t integrations) {
 }
 
 std::vector<int> MapFuser::TakeChanged() {
-  std::vector<int> changed;
-  for (int block = 0; block < map_.grid().num_blocks(); ++block) {
-    if (!std::exchange(touched_[block], std::uint8_t{0})) continue;
-    const MapBlock now = map_.Quantise(block, quantisation_);
-    if (said_[block] && !Matters(*said_[block], now)) continue;
-    Say(now);
-    changed.push_back(block);
+  std::vector<int> touched, changed;
+  for (int block = 0; block < map_.grid().num_blocks(); ++block)
+    if (std::exchange(touched_[block], std::uint8_t{0})) touched.push_back(block);
+  std::vector<MapBlock> now(touched.size());
+  std::vector<std::uint8_t> matters(touched.size());
+  ParallelForEach(touched.size(), kParts, [&](std::size_t i) {
+    now[i] = map_.Quantise(touched[i], quantisation_);
+    const MapBlock* said = Said(touched[i]);
+    matters[i] = !said || Matters(*said, now[i]);
+  });
+  for (std::size_t i = 0; i < touched.size(); ++i) {
+    if (!matters[i]) continue;
+    Say(now[i]);
+    changed.push_back(touched[i]);
   }
   return changed;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -41,6 +42,11 @@ fusion::WeightPolicy PolicyOf(const MapSection& map) {
                     "\": best_view, per_scan or per_point is allowed");
 }
 
+template <class Message>
+void Queue(std::vector<Message> messages, std::deque<Message>& queue) {
+  std::move(messages.begin(), messages.end(), std::back_inserter(queue));
+}
+
 }  // namespace
 
 MapFusionModule::MapFusionModule(const ModuleContext& context)
@@ -68,11 +74,13 @@ void MapFusionModule::Tick(const Step& step) {
   IntegrateScans();
   hearer_->Update(step);
   const bool blocks = blocks_to_say_.empty() && publish_.Due(step.now), progress = progress_.Due(step.now);
+  const std::vector<MapBlock> next = blocks ? NextBlocks() : std::vector<MapBlock>{};
   // What is fused and what is heard of it are two maps.
   if (blocks || progress)
-    RunParts(2, [&](int part) {
-      if (part == 0 && blocks) QueueBlocks();
-      if (part == 1 && progress) progress_to_say_ = Progress();
+    RunParts(3, [&](int part) {
+      if (part == 0 && blocks) Queue(EncodeInMessages(next), blocks_to_say_);
+      if (part == 1 && blocks) summary_to_say_ = Encode(fuser_.Summary());
+      if (part == 2 && progress) progress_to_say_ = Progress();
     });
   if (octree_to_say_.empty() && say_octree_ && say_octree_->Due(step.now)) QueueOctree();
   SayQueued();
@@ -125,24 +133,21 @@ void MapFusionModule::IntegrateScans() {
   }
 }
 
-void MapFusionModule::QueueBlocks() {
+std::vector<MapBlock> MapFusionModule::NextBlocks() {
   std::vector<MapBlock> blocks;
   const std::vector<int> changed = fuser_.TakeChanged(), next = rotation_.Next(changed);
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (i >= changed.size()) fuser_.Renew(next[i]);
     blocks.push_back(*fuser_.Said(next[i]));
   }
-  for (citrine_lcm::map_blocks_t& message : EncodeInMessages(blocks))
-    blocks_to_say_.push_back(std::move(message));
-  summary_to_say_ = Encode(fuser_.Summary());
+  return blocks;
 }
 
 void MapFusionModule::QueueOctree() {
   octree_.Update(hearer_->map());
   const OctreeBytes octree{std::max<std::int64_t>(hearer_->map_version(), 0), config_.map.voxel_m,
                            octree_.Bytes()};
-  for (citrine_lcm::octree_t& message : EncodeInMessages(octree))
-    octree_to_say_.push_back(std::move(message));
+  Queue(EncodeInMessages(octree), octree_to_say_);
 }
 
 void MapFusionModule::SayQueued() {

@@ -40,7 +40,8 @@ class MapFusionModule : public Module {
   /// Scans and clouds that have come, with the UAV that took each, in the order in which they were taken.
   std::vector<std::pair<int, LidarScan>> TakeScans();
   void IntegrateScans();
-  void QueueBlocks();
+  /// Those to be said next, as they are now: that changed, then the rest in rotation.
+  std::vector<MapBlock> NextBlocks();
   void SayQueued();
   MissionProgress Progress();
   void QueueOctree();
