@@ -10,9 +10,10 @@
 
 namespace citrine::planner {
 
-/// [m] from one point to each of several through known free space; infinity where there is no way.
-using LengthsFrom = std::function<std::vector<double>(const Eigen::Vector3d& from_W,
-                                                      const std::vector<Eigen::Vector3d>& to_W)>;
+/// [m] from each of several points (a row) to each of others (a column) through known free space; infinity
+/// where there is no way.
+using LengthsBetween = std::function<Eigen::MatrixXd(const std::vector<Eigen::Vector3d>& from_W,
+                                                     const std::vector<Eigen::Vector3d>& to_W)>;
 
 /// Balanced clustering and its assignment (paper, IV-C): the centroid of each UAV's share of the elements.
 /// @param uavs_W where each goes, and the one that divides is  @param elements_W at least as many 1 m cells
@@ -20,7 +21,7 @@ using LengthsFrom = std::function<std::vector<double>(const Eigen::Vector3d& fro
 /// @return one a UAV; empty where the elements fill fewer cells than there are UAVs
 std::vector<Eigen::Vector3d> DivideWork(const std::vector<Eigen::Vector3d>& elements_W,
                                         const std::vector<Eigen::Vector3d>& uavs_W,
-                                        const LengthsFrom& lengths_from, const SizeRule& rule,
+                                        const LengthsBetween& lengths_between, const SizeRule& rule,
                                         std::uint64_t seed);
 
 }  // namespace citrine::planner

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/grid/neighbours.h"
+#include "core/parallel_for.h"
 
 namespace citrine::planner {
 
@@ -76,42 +77,54 @@ int TopologicalGrid::NearestFree(const Eigen::Vector3d& p_W) const {
   return nearest;
 }
 
-std::vector<double> TopologicalGrid::LengthsFrom(const Eigen::Vector3d& from_W,
-                                                 const std::vector<Eigen::Vector3d>& to_W) {
+Eigen::MatrixXd TopologicalGrid::LengthsBetween(const std::vector<Eigen::Vector3d>& from_W,
+                                                const std::vector<Eigen::Vector3d>& to_W) {
   ReadMap();
-  std::vector<double> lengths(to_W.size(), kInfinity);
-  const int start = NearestFree(from_W);
-  if (start < 0) return lengths;
   std::vector<int> ends;
   for (const Eigen::Vector3d& p_W : to_W) ends.push_back(NearestFree(p_W));
+  Eigen::MatrixXd lengths(from_W.size(), to_W.size());
+  ParallelForEach(from_W.size(), static_cast<int>(from_W.size()), [&](std::size_t i) {
+    lengths.row(static_cast<Eigen::Index>(i)) = LengthsFrom(from_W[i], to_W, ends);
+  });
+  return lengths;
+}
+
+Eigen::RowVectorXd TopologicalGrid::LengthsFrom(const Eigen::Vector3d& from_W,
+                                                const std::vector<Eigen::Vector3d>& to_W,
+                                                const std::vector<int>& ends) const {
+  Eigen::RowVectorXd lengths =
+      Eigen::RowVectorXd::Constant(static_cast<Eigen::Index>(to_W.size()), kInfinity);
+  const int start = NearestFree(from_W);
+  if (start < 0) return lengths;
 
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  length_m_.assign(free_.size(), kInfinity);
-  length_m_[static_cast<std::size_t>(start)] = 0;
+  std::vector<double> shortest_m(free_.size(), kInfinity);
+  shortest_m[static_cast<std::size_t>(start)] = 0;
   open.push({0, start});
   std::vector<int> waited_for = ends;
   while (!open.empty() && !waited_for.empty()) {
     const auto [length, cell] = open.top();
     open.pop();
-    if (length > length_m_[static_cast<std::size_t>(cell)]) continue;
+    if (length > shortest_m[static_cast<std::size_t>(cell)]) continue;
     std::erase(waited_for, cell);
     for (const Neighbour& neighbour : neighbours_) {
       const int next = cell + neighbour.cells;
       const auto i = static_cast<std::size_t>(next);
       const double there = length + neighbour.length_m;
-      if (!free_[i] || there >= length_m_[i]) continue;
-      length_m_[i] = there;
+      if (!free_[i] || there >= shortest_m[i]) continue;
+      shortest_m[i] = there;
       open.push({there, next});
     }
   }
   for (std::size_t i = 0; i < to_W.size(); ++i) {
+    double& length_m = lengths[static_cast<Eigen::Index>(i)];
     if (start == ends[i]) {
-      lengths[i] = (to_W[i] - from_W).norm();
+      length_m = (to_W[i] - from_W).norm();
       continue;
     }
-    lengths[i] = length_m_[static_cast<std::size_t>(ends[i])] + (from_W - Centre(start)).norm() +
-                 (to_W[i] - Centre(ends[i])).norm();
+    length_m = shortest_m[static_cast<std::size_t>(ends[i])] + (from_W - Centre(start)).norm() +
+               (to_W[i] - Centre(ends[i])).norm();
   }
   return lengths;
 }

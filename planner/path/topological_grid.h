@@ -17,10 +17,11 @@ class TopologicalGrid {
  public:
   explicit TopologicalGrid(const PlanningMap& map);
 
-  /// [m] from one point to each of several, through the centres of free cells. A point in a cell that is not
-  /// free (a centroid may lie in a wall) is joined to the nearest free cell by a straight line. Infinity: not
-  /// connected.
-  std::vector<double> LengthsFrom(const Eigen::Vector3d& from_W, const std::vector<Eigen::Vector3d>& to_W);
+  /// [m] from each of several points (a row) to each of others (a column), through the centres of free cells.
+  /// A point in a cell that is not free (a centroid may lie in a wall) is joined to the nearest free cell by
+  /// a straight line. Infinity: not connected.
+  Eigen::MatrixXd LengthsBetween(const std::vector<Eigen::Vector3d>& from_W,
+                                 const std::vector<Eigen::Vector3d>& to_W);
 
  private:
   struct Neighbour {
@@ -28,6 +29,9 @@ class TopologicalGrid {
     double length_m;
   };
   void ReadMap();
+  /// One row of LengthsBetween. @param ends  the nearest free cells to `to_W`
+  Eigen::RowVectorXd LengthsFrom(const Eigen::Vector3d& from_W, const std::vector<Eigen::Vector3d>& to_W,
+                                 const std::vector<int>& ends) const;
   int CellOf(const Eigen::Vector3d& p_W) const;
   Eigen::Vector3d Centre(int cell) const;
   int NearestFree(const Eigen::Vector3d& p_W) const;  ///< -1: there is none
@@ -37,7 +41,6 @@ class TopologicalGrid {
   double cell_m_;
   std::array<Neighbour, 26> neighbours_;
   std::vector<std::uint8_t> free_;
-  std::vector<double> length_m_;
   std::int64_t revision_ = -1;
 };
 

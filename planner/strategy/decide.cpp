@@ -206,7 +206,8 @@ bool ViewPlanner::Balance(const Prospect& prospect, Utime now) {
       static_cast<std::uint64_t>(config_.mission.seed) * 1000003u + static_cast<std::uint64_t>(now);
   SizeRule rule;
   if (config_.planner.clusters == "soft") rule.lambda_m2 = config_.planner.clusters_lambda_m2;
-  const std::vector<Eigen::Vector3d> centroids_W = DivideWork(elements_W, uavs_W, lengths_from_, rule, seed);
+  const std::vector<Eigen::Vector3d> centroids_W =
+      DivideWork(elements_W, uavs_W, lengths_between_, rule, seed);
   if (centroids_W.empty()) {
     correction_.Release();
     return false;

@@ -26,12 +26,12 @@ double SettleTime(const MissionConfig& config) {
 
 ViewPlanner::ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map,
                          const ActiveSurface& surface, std::shared_ptr<ReachableSet> reachable,
-                         FindPath find_path, LengthsFrom lengths_from)
+                         FindPath find_path, LengthsBetween lengths_between)
     : config_(config),
       uav_(uav),
       map_(map),
       find_path_(std::move(find_path)),
-      lengths_from_(std::move(lengths_from)),
+      lengths_between_(std::move(lengths_between)),
       window_(config.lidar.model),
       surface_(surface),
       reachable_(std::move(reachable)),

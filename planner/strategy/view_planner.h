@@ -42,7 +42,7 @@ class ViewPlanner {
   /// paths keep; it may be shared, for it is brought up to date before it is asked  @throws ConfigError for
   /// an unknown strategy
   ViewPlanner(const MissionConfig& config, int uav, const PlanningMap& map, const ActiveSurface& surface,
-              std::shared_ptr<ReachableSet> reachable, FindPath find_path, LengthsFrom lengths_from);
+              std::shared_ptr<ReachableSet> reachable, FindPath find_path, LengthsBetween lengths_between);
   ~ViewPlanner();
 
   void HearState(int uav, const UavState& state, Utime now);
@@ -148,7 +148,7 @@ class ViewPlanner {
   const PlanningMap& map_;
   FindPath find_path_;
   HearDecision hear_decision_;
-  LengthsFrom lengths_from_;
+  LengthsBetween lengths_between_;
   SensorWindow window_;
   const ActiveSurface& surface_;
   std::shared_ptr<ReachableSet> reachable_;

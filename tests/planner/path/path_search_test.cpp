@@ -155,19 +155,19 @@ TEST(ReachableSet, FollowsTheMap) {
 TEST(TopologicalGrid, MeasuresTheWayAroundAWall) {
   const PlanningMap map = MapOf({20, 24, 8}, WallWithGap(19, 23));
   TopologicalGrid cells(map);
-  const std::vector<double> lengths = cells.LengthsFrom({4, 4, 4}, {{4, 12, 4}, {16, 4, 4}});
-  EXPECT_NEAR(lengths[0], 8, 1);
+  const Eigen::MatrixXd lengths = cells.LengthsBetween({{4, 4, 4}}, {{4, 12, 4}, {16, 4, 4}});
+  EXPECT_NEAR(lengths(0, 0), 8, 1);
   // The straight legs through the opening's near and far edge are 2 x hypot(6, 15) = 32 m and 2 x hypot(6,
   // 18) = 38 m; a lattice's ways are up to 8 % longer.
-  EXPECT_GT(lengths[1], 32);
-  EXPECT_LT(lengths[1], 41);
+  EXPECT_GT(lengths(0, 1), 32);
+  EXPECT_LT(lengths(0, 1), 41);
 }
 
 TEST(TopologicalGrid, SaysInfinityWhereNothingConnects) {
   const PlanningMap map =
       MapOf({20, 24, 8}, EmptySpace, [](const Vector3d& p) { return p.x() < 6 || p.x() > 12; });
   TopologicalGrid cells(map);
-  EXPECT_EQ(cells.LengthsFrom({2, 4, 4}, {{16, 4, 4}})[0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(cells.LengthsBetween({{2, 4, 4}}, {{16, 4, 4}})(0, 0), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
