@@ -39,10 +39,10 @@ void CollisionGuard::HearScan(const LidarScan& scan) {
   measured_ = scan.measured;
   hits_W_.clear();
   const double reach_m = BoxLength(limits_.speed_max_mps) + limits_.radius_m;
+  const Eigen::Matrix3d R_WS = scan.X_WS.q.toRotationMatrix();
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const float r = scan.ranges_m[i];
-    if (r > 0 && r < reach_m)
-      hits_W_.push_back(scan.X_WS * Eigen::Vector3d((r * directions_[i]).cast<double>()));
+    if (r > 0 && r < reach_m) hits_W_.push_back(R_WS * (r * directions_[i]).cast<double>() + scan.X_WS.p);
   }
 }
 
