@@ -27,7 +27,9 @@ class ViewPlannerTest : public ::testing::Test {
             path.waypoints = {{start_W, 1}, {goal_W, 1}};
             return path;
           },
-          [](const auto&, const auto& to_W) { return std::vector<double>(to_W.size(), 1.0); }));
+          [](const auto& from_W, const auto& to_W) -> Eigen::MatrixXd {
+            return Eigen::MatrixXd::Ones(from_W.size(), to_W.size());
+          }));
       states.emplace_back();
       states.back().X_WB.p = p_W[uav - 1];
     }
