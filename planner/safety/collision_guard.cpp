@@ -22,6 +22,19 @@ constexpr double kMoving_mps = 0.1;
 constexpr double kTeammateSize_m =
     0.3;  ///< hits this far beyond the radius around a teammate are the teammate
 
+/// The i of [0, count) that is(i) says of. Listed without a branch: no processor could foresee it.
+template <class Is>
+std::vector<std::uint32_t> Where(std::size_t count, const Is& is) {
+  std::vector<std::uint32_t> where(count);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    where[found] = static_cast<std::uint32_t>(i);
+    found += is(i);
+  }
+  where.resize(found);
+  return where;
+}
+
 }  // namespace
 
 double CollisionGuard::BoxLength(double speed_mps) const {
@@ -40,10 +53,11 @@ void CollisionGuard::HearScan(const LidarScan& scan) {
   hits_W_.clear();
   const double reach_m = BoxLength(limits_.speed_max_mps) + limits_.radius_m;
   const Eigen::Matrix3d R_WS = scan.X_WS.q.toRotationMatrix();
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    const float r = scan.ranges_m[i];
-    if (r > 0 && r < reach_m) hits_W_.push_back(R_WS * (r * directions_[i]).cast<double>() + scan.X_WS.p);
-  }
+  const auto in_reach = Where(scan.ranges_m.size(), [&](std::size_t i) {
+    return (scan.ranges_m[i] > 0) & (scan.ranges_m[i] < reach_m);
+  });
+  for (const std::uint32_t i : in_reach)
+    hits_W_.push_back(R_WS * (scan.ranges_m[i] * directions_[i]).cast<double>() + scan.X_WS.p);
 }
 
 std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
@@ -64,20 +78,23 @@ std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime 
   const Eigen::Vector3d ahead = travel.normalized();
   const double length = BoxLength(speed);
 
+  const auto in_reach = Where(hits_W_.size(), [&](std::size_t i) {
+    const double along = (hits_W_[i] - here.p_W).dot(ahead);
+    return (along >= 0) & (along <= length);
+  });
   std::optional<Utime> first;
-  for (const Eigen::Vector3d& hit_W : hits_W_) {
-    const Eigen::Vector3d offset = hit_W - here.p_W;
-    const double along = offset.dot(ahead);
-    if (along < 0 || along > length || (offset - along * ahead).norm() > limits_.radius_m) continue;
+  for (const std::uint32_t i : in_reach) {
+    const Eigen::Vector3d &hit_W = hits_W_[i], offset = hit_W - here.p_W;
+    if ((offset - offset.dot(ahead) * ahead).norm() > limits_.radius_m) continue;
     const bool is_teammate =
         std::any_of(scene.teammates.begin(), scene.teammates.end(), [&](const Teammate& other) {
           return (other.trajectory.At(measured_).p_W - hit_W).norm() < limits_.radius_m + kTeammateSize_m;
         });
     if (is_teammate) continue;
     const double asked = std::min(limits_.radius_m - kMapError_m, offset.norm() - kNearing_m);
-    for (std::size_t i = 0; i < way_W.size(); ++i) {
-      if ((way_W[i] - hit_W).norm() >= asked) continue;
-      const Utime at = now + static_cast<Utime>(i) * kSample;
+    for (std::size_t k = 0; k < way_W.size(); ++k) {
+      if ((way_W[k] - hit_W).norm() >= asked) continue;
+      const Utime at = now + static_cast<Utime>(k) * kSample;
       first = first ? std::min(*first, at) : at;
       break;
     }
