@@ -66,10 +66,13 @@ void LidarEmulator::AddNoise(std::vector<float>& ranges_m, Random& random) const
   const auto range_min_m = static_cast<float>(model_.range_min_m),
              range_max_m = static_cast<float>(model_.range_max_m);
   const auto sigma_m = [this](float range_m) { return noise_m_per_m2_ * range_m * range_m; };
-  std::vector<float*> noisy;
-  noisy.reserve(ranges_m.size());
-  for (float& range : ranges_m)
-    if (std::isfinite(range) && sigma_m(range) > 0) noisy.push_back(&range);
+  std::vector<float*> noisy(ranges_m.size());
+  std::size_t count = 0;
+  for (float& range : ranges_m) {
+    noisy[count] = &range;
+    count += std::isfinite(range) && sigma_m(range) > 0;
+  }
+  noisy.resize(count);
   ParallelFor(static_cast<int>(noisy.size()), kParts, [&](int begin, int end) {
     // A part begins with the number that it would begin with if the beams before it had taken theirs.
     Random own = random;
@@ -83,10 +86,7 @@ void LidarEmulator::AddNoise(std::vector<float>& ranges_m, Random& random) const
   });
   random.Advance(noisy.size() * Random::kNumbersOfNormal);
   for (float& range : ranges_m)
-    if (!std::isfinite(range))
-      range = kNoReturn;
-    else if (range < range_min_m)
-      range = kInvalid;
+    range = !std::isfinite(range) ? kNoReturn : range < range_min_m ? kInvalid : range;
 }
 
 }  // namespace citrine::sim
