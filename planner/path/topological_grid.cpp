@@ -37,13 +37,17 @@ void TopologicalGrid::ReadMap() {
   std::vector<std::uint8_t> empty_voxels(static_cast<std::size_t>(size_.prod()), 0);
   const VoxelGrid& grid = map_.grid();
   const VoxelIndex lo = grid.inside_min(), hi = grid.inside_max();
+  std::vector<std::uint8_t> empty(static_cast<std::size_t>(size_.x()) * kCellVoxels, 0);  // along a row
   for (int z = lo.z(); z < hi.z(); ++z)
     for (int y = lo.y(); y < hi.y(); ++y) {
-      const std::size_t row = grid.Linear({0, y, z});
-      const int cells = 1 + size_.x() * (1 + y / kCellVoxels + size_.y() * (1 + z / kCellVoxels));
-      for (int x = lo.x(); x < hi.x(); ++x)
-        empty_voxels[static_cast<std::size_t>(cells + x / kCellVoxels)] +=
-            map_.state(row + static_cast<std::size_t>(x)) == VoxelState::kEmpty;
+      const std::uint8_t* row = &map_.states()[grid.Linear({0, y, z})];
+      std::transform(row + lo.x(), row + hi.x(), empty.begin() + lo.x(), [](std::uint8_t state) {
+        return static_cast<std::uint8_t>(state == static_cast<std::uint8_t>(VoxelState::kEmpty));
+      });
+      std::uint8_t* cells =
+          &empty_voxels[1 + size_.x() * (1 + y / kCellVoxels + size_.y() * (1 + z / kCellVoxels))];
+      for (int cell = 0; cell < size_.x() - 2; ++cell)
+        for (int x = 0; x < kCellVoxels; ++x) cells[cell] += empty[cell * kCellVoxels + x];
     }
   free_.resize(empty_voxels.size());
   std::transform(empty_voxels.begin(), empty_voxels.end(), free_.begin(),
