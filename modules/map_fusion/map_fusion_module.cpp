@@ -179,10 +179,15 @@ MissionProgress MapFusionModule::Progress() {
 void MapFusionModule::WriteResults() {
   if (config_.launch.out.empty()) return;
   try {
-    const CpuStopwatch stopwatch;
-    WritePly(config_.launch.out + "/mesh.ply", fusion::SurfaceMesh(fuser_.map()));
-    health_.Sample("mesh_ms", stopwatch.ms());
-    WriteSavedMap(config_.launch.out + kSavedMap, fuser_.map(), fuser_.integrations(), config_);
+    RunParts(2, [&](int part) {
+      if (part == 0) {
+        const CpuStopwatch stopwatch;
+        WritePly(config_.launch.out + "/mesh.ply", fusion::SurfaceMesh(fuser_.map()));
+        health_.Sample("mesh_ms", stopwatch.ms());
+      } else {
+        WriteSavedMap(config_.launch.out + kSavedMap, fuser_.map(), fuser_.integrations(), config_);
+      }
+    });
     // What was fused since the last publication belongs to the octree, too.
     PlanningMap whole = hearer_->map();
     fuser_.TakeChanged();
