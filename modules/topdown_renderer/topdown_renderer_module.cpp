@@ -8,7 +8,7 @@ namespace citrine {
 namespace {
 
 constexpr double kPicturePeriod_s = 10;  ///< of the wall: who looks at pictures lives there
-constexpr double kLockstepPace = 6;      ///< that lockstep may reach
+constexpr double kLockstepPace = 8;      ///< that lockstep may reach
 constexpr double kOfScreen = 0.92;       ///< that a window fills; the rest is for the desktop's bars
 
 double PicturePeriod_s(const MissionConfig& config) {
