@@ -51,7 +51,7 @@ void TopologicalGrid::ReadMap() {
     }
   free_.resize(empty_voxels.size());
   std::transform(empty_voxels.begin(), empty_voxels.end(), free_.begin(),
-                 [](std::uint8_t empty) { return empty > kEmptyMin; });
+                 [](std::uint8_t count) { return count > kEmptyMin; });
 }
 
 int TopologicalGrid::CellOf(const Eigen::Vector3d& p_W) const {
