@@ -16,12 +16,13 @@ namespace {
 constexpr double kGroup_m = 0.75;      ///< elements this near to a view's own share it (a cell of 3 voxels)
 constexpr double kGoalsApart_m = 0.5;  ///< beyond two radii
 constexpr double kBlockedNear_m = 0.5;
-constexpr double kStandOff_s = 3.0;        ///< until a view that an idle mate stands by is asked for again
-constexpr double kWarmUp_s = 3.0;          ///< before it the map is too young to say that nothing is left
-constexpr int kLooksEnough = 3;            ///< in passing, that should each have settled an element
-constexpr int kParts = 8;                  ///< that threads take, of the elements
-constexpr std::size_t kLeftToMates = 100;  ///< elements nearer to mates that are still at work
-constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
+constexpr double kStandOff_s = 3.0;         ///< until a view that an idle mate stands by is asked for again
+constexpr double kWarmUp_s = 3.0;           ///< before it the map is too young to say that nothing is left
+constexpr int kLooksEnough = 3;             ///< in passing, that should each have settled an element
+constexpr int kParts = 8;                   ///< that threads take, of the elements
+constexpr std::size_t kLeftToMates = 100;   ///< elements nearer to mates that are still at work
+constexpr int kFans = 300, kLattices = 40;  ///< searched in a decision; more by a UAV without a goal
+constexpr int kFansIdle = 1000, kLatticesIdle = 150;
 
 }  // namespace
 
@@ -29,8 +30,9 @@ constexpr SearchBudget kFlying{300, 40}, kIdle{1000, 150};
 struct ViewPlanner::Prospect {
   std::vector<Element> elements;  ///< active, and not as good as seen
   bool some_taken = false;        ///< others are about to be seen, by this UAV or a mate
-  Candidates candidates;
-  std::vector<View> views;  ///< candidates that may be flown to at present
+  Candidates candidates;          ///< of all elements, or of those that no pose of a patch settles
+  std::vector<View> views;        ///< up for choice: may be flown to at present
+  bool is_left_to_mates = false;  ///< untested
   std::vector<FleetView::Other> others;
 };
 
@@ -49,7 +51,7 @@ ViewPlanner::Outcome ViewPlanner::Decide(Utime now, std::int64_t map_version) {
   Outcome outcome;
   outcome.decided = true;
   outcome.corrected = Balance(prospect, now);
-  outcome.views = prospect.candidates.views.size();
+  outcome.views = prospect.views.size();
   outcome.elements = prospect.elements.size();
 
   Path path;
@@ -96,26 +98,35 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
     LeaveStrays(prospect.elements, map_.grid(), config_.planner.strays_m);
   for (Element& element : prospect.elements) element.attempts = memory_.Attempts(element.linear);
 
-  const bool per_cell = config_.planner.views == "per_cell";
-  prospect.candidates = MakeCandidates(map_, prospect.elements, generator_, per_cell, start.p_W,
-                                       goal_ ? kFlying : kIdle, memory_);
-  for (const View& view : prospect.candidates.views)
-    if (!Excluded(view.p_W, prospect.others, now)) prospect.views.push_back(view);
-  if (!TakeRatedViews(prospect, start.p_W, now))
+  SearchBudget budget{goal_ ? kFans : kFansIdle, goal_ ? kLattices : kLatticesIdle};
+  if (!TakeRatedViews(prospect, start.p_W, budget, now)) {
+    prospect.views = OwnViewsOf(prospect.elements, prospect, start.p_W, budget, now);
     LeaveNearOnes(prospect.views, start.p_W, config_.planner.hop_min_m);
+  }
   return prospect;
 }
 
-bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const {
+/// Adds to the candidates. @return those that are not excluded
+std::vector<View> ViewPlanner::OwnViewsOf(const std::vector<Element>& elements, Prospect& prospect,
+                                          const Eigen::Vector3d& p_W, SearchBudget& budget, Utime now) {
+  Candidates own =
+      MakeCandidates(map_, elements, generator_, config_.planner.views == "per_cell", p_W, budget, memory_);
+  std::vector<View>& all = prospect.candidates.views;
+  all.insert(all.end(), own.views.begin(), own.views.end());
+  prospect.candidates.untested += own.untested;
+  std::erase_if(own.views, [&](const View& view) { return Excluded(view.p_W, prospect.others, now); });
+  return std::move(own.views);
+}
+
+bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, SearchBudget& budget,
+                                 Utime now) {
   if (config_.planner.candidates == "all" || config_.planner.strategy != "quality_adaptive") return false;
   std::vector<Element> mine = Mine(prospect, p_W);
   if (mine.empty()) {
     const bool mates_work = std::any_of(prospect.others.begin(), prospect.others.end(),
                                         [](const FleetView::Other& other) { return other.has_goal; });
-    if (mates_work && prospect.elements.size() < kLeftToMates) {
-      prospect.views.clear();
-      return true;
-    }
+    prospect.is_left_to_mates = mates_work && prospect.elements.size() < kLeftToMates;
+    if (prospect.is_left_to_mates) return true;
     mine = prospect.elements;
   }
   const std::vector<Patch> patches = PatchesOf(mine);
@@ -124,11 +135,14 @@ bool ViewPlanner::TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W,
   const auto allowed = [&](const Eigen::Vector3d& view_W) {
     return MayStand(view_W) && !Excluded(view_W, prospect.others, now);
   };
+  const auto own_views = [&](const std::vector<std::size_t>& which) {
+    std::vector<Element> elements;
+    for (const std::size_t i : which) elements.push_back(mine[i]);
+    return OwnViewsOf(elements, prospect, p_W, budget, now);
+  };
   for (const std::size_t next : ShortTour(p_W, centres_W)) {
-    std::vector<View> views = RatedViews(map_, window_, mine, patches[next], prospect.views, allowed, p_W);
-    if (views.empty()) continue;
-    prospect.views = std::move(views);
-    return true;
+    prospect.views = RatedViews(map_, window_, mine, patches[next], own_views, allowed, p_W);
+    if (!prospect.views.empty()) return true;
   }
   return false;
 }
@@ -322,7 +336,7 @@ void ViewPlanner::NoChoice(const Prospect& prospect, Utime now) {
   goal_.reset();
   passing_.reset();
   CountStandOffs(prospect, now);
-  const bool none = prospect.candidates.views.empty();
+  const bool none = prospect.candidates.views.empty() && prospect.views.empty() && !prospect.is_left_to_mates;
   retry_ = !none || prospect.candidates.untested > 0 || prospect.some_taken;
   const bool all_tested = none && !retry_ && looks_.empty() && now > first_map_ + FromSeconds(kWarmUp_s);
   // Before it is said that nothing is left, verdicts from before the last discovery are tested anew.

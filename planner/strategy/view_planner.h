@@ -133,7 +133,9 @@ class ViewPlanner {
   std::vector<Element> ElementsNear(const Eigen::Vector3d& p_W) const;
   /// Replaces the views by those that settle most of the patch that is next on this UAV's tour. false: there
   /// are none
-  bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, Utime now) const;
+  bool TakeRatedViews(Prospect& prospect, const Eigen::Vector3d& p_W, SearchBudget& budget, Utime now);
+  std::vector<View> OwnViewsOf(const std::vector<Element>& elements, Prospect& prospect,
+                               const Eigen::Vector3d& p_W, SearchBudget& budget, Utime now);
   /// Gives up and takes out what the fleet, flying past, has looked at in vain.
   void LeaveWhatWasSeen(std::vector<Element>& elements, Utime now);
   /// The elements to which no mate is nearer.

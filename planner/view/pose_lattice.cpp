@@ -15,18 +15,31 @@ int Stride(double step_m, const VoxelGrid& grid) {
 
 }  // namespace
 
-PoseLattice::PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed)
+PoseLattice::PoseLattice(const VoxelGrid& grid, const Eigen::AlignedBox3d& part_W,
+                         const std::function<bool(const Eigen::Vector3d&)>& allowed)
     : grid_(grid),
       allowed_(allowed),
-      stride_(Stride(kAcross_m, grid), Stride(kAcross_m, grid), Stride(kUp_m, grid)),
-      size_((grid.inside_max() - grid.inside_min() - VoxelIndex::Ones()).array() / stride_.array() + 1),
-      poses_(static_cast<std::size_t>(size_.prod())) {}
+      stride_(Stride(kAcross_m, grid), Stride(kAcross_m, grid), Stride(kUp_m, grid)) {
+  if (part_W.isEmpty()) return;
+  const Box part = Within(part_W);
+  first_ = part.lo;
+  size_ = (part.hi - part.lo).cwiseMax(0);
+  poses_ = std::vector<Pose>(static_cast<std::size_t>(size_.prod()));
+}
+
+PoseLattice::Box PoseLattice::Within(const Eigen::AlignedBox3d& box_W) const {
+  const Eigen::Array3i whole =
+      (grid_.inside_max() - grid_.inside_min() - VoxelIndex::Ones()).array() / stride_.array() + 1;
+  const Eigen::Array3d step_m = grid_.voxel_m() * stride_.cast<double>().array();
+  const Eigen::Vector3d first_W = grid_.Centre(grid_.inside_min());
+  return {((box_W.min() - first_W).array() / step_m).ceil().cast<int>().max(0),
+          (((box_W.max() - first_W).array() / step_m).floor().cast<int>() + 1).min(whole)};
+}
 
 PoseLattice::Box PoseLattice::Around(const Eigen::Vector3d& centre_W, double radius_m) const {
-  const Eigen::Array3d step_m = grid_.voxel_m() * stride_.cast<double>().array();
-  const Eigen::Array3d middle = (centre_W - At(std::size_t{0})).array() / step_m;
-  return {(middle - radius_m / step_m).ceil().cast<int>().max(0),
-          ((middle + radius_m / step_m).floor().cast<int>() + 1).min(size_.array())};
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_m);
+  const Box around = Within({centre_W - reach, centre_W + reach});
+  return {(around.lo - first_).cwiseMax(0), (around.hi - first_).cwiseMin(size_)};
 }
 
 Eigen::Vector3d PoseLattice::At(std::size_t pose) const {

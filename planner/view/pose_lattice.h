@@ -12,12 +12,13 @@
 
 namespace citrine::planner {
 
-/// Poses on a lattice over the inside of a grid, 1 m apart across and 0.5 m up, and what each is worth.
-/// Several threads may visit them.
+/// Poses on a lattice over a part of the inside of a grid, 1 m apart across and 0.5 m up, and what each is
+/// worth. Several threads may visit them.
 class PoseLattice {
  public:
-  /// @param allowed says always the same of a pose; outlives the lattice
-  PoseLattice(const VoxelGrid& grid, const std::function<bool(const Eigen::Vector3d&)>& allowed);
+  /// @param part_W  [m]  @param allowed says always the same of a pose; outlives the lattice
+  PoseLattice(const VoxelGrid& grid, const Eigen::AlignedBox3d& part_W,
+              const std::function<bool(const Eigen::Vector3d&)>& allowed);
 
   /// Calls visit(pose, p_W) for every allowed pose within a radius for which counts(pose).
   template <typename Counts, typename Visit>
@@ -55,15 +56,19 @@ class PoseLattice {
   struct Box {
     Eigen::Vector3i lo, hi;
   };
+  /// Of the whole lattice, of which the poses of this one are a part.
+  Box Within(const Eigen::AlignedBox3d& box_W) const;
   Box Around(const Eigen::Vector3d& centre_W, double radius_m) const;
   Eigen::Vector3d At(const Eigen::Vector3i& at) const {
-    return grid_.Centre(grid_.inside_min() + stride_.cwiseProduct(at));
+    return grid_.Centre(grid_.inside_min() + stride_.cwiseProduct(first_ + at));
   }
   bool Allowed(std::size_t pose, const Eigen::Vector3d& p_W);
 
   const VoxelGrid& grid_;
   const std::function<bool(const Eigen::Vector3d&)>& allowed_;
-  Eigen::Vector3i stride_, size_;
+  Eigen::Vector3i stride_;
+  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();  ///< of the poses, on the whole lattice
+  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
   std::vector<Pose> poses_;
 };
 

@@ -71,10 +71,20 @@ double ReachOf(const Element& element, const SensorWindow& window) {
   return std::min(element.d_star_m - kReached_m, window.range_max_m());
 }
 
+/// [m] where a pose may settle one of some elements.
+Eigen::AlignedBox3d InReachOf(const std::vector<Alike>& groups, const SensorWindow& window) {
+  Eigen::AlignedBox3d in_reach_W;
+  for (const Alike& alike : groups) {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ReachOf(*alike.element, window));
+    in_reach_W.extend(Eigen::AlignedBox3d(alike.element->p_W - reach, alike.element->p_W + reach));
+  }
+  return in_reach_W;
+}
+
 /// Adds what poses settle of some elements to what they are worth. @return the elements that none settles
 template <class Counts>
-std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map, const SensorWindow& window,
-                                    const std::vector<Alike>& groups, const Counts& counts) {
+std::vector<const Element*> AddWorth(PoseLattice& lattice, const PlanningMap& map, const SensorWindow& window,
+                                     const std::vector<Alike>& groups, const Counts& counts) {
   std::vector<std::uint8_t> settled(groups.size(), 0);
   ParallelForEach(groups.size(), kParts, [&](std::size_t i) {
     const Element& element = *groups[i].element;
@@ -85,9 +95,9 @@ std::vector<std::uint32_t> AddWorth(PoseLattice& lattice, const PlanningMap& map
                      settled[i] = 1;
                    });
   });
-  std::vector<std::uint32_t> unsettled;
+  std::vector<const Element*> unsettled;
   for (std::size_t i = 0; i < groups.size(); ++i)
-    if (!settled[i]) unsettled.push_back(groups[i].element->linear);
+    if (!settled[i]) unsettled.push_back(groups[i].element);
   return unsettled;
 }
 
@@ -110,21 +120,20 @@ std::vector<std::size_t> Around(const Patch& patch, const std::vector<Element>& 
 
 std::vector<View> RatedViews(const PlanningMap& map, const SensorWindow& window,
                              const std::vector<Element>& elements, const Patch& patch,
-                             const std::vector<View>& own,
+                             const OwnViews& own_views,
                              const std::function<bool(const Eigen::Vector3d&)>& allowed,
                              const Eigen::Vector3d& p_W) {
-  PoseLattice lattice(map.grid(), allowed);
   const std::vector<Alike> in_patch = GroupAlike(map.grid(), elements, patch.elements);
-  std::vector<std::uint32_t> by_own_view =
-      AddWorth(lattice, map, window, in_patch, [](std::size_t) { return true; });
+  PoseLattice lattice(map.grid(), InReachOf(in_patch, window), allowed);
+  std::vector<std::size_t> by_own_view;
+  for (const Element* unsettled : AddWorth(lattice, map, window, in_patch, [](std::size_t) { return true; }))
+    by_own_view.push_back(static_cast<std::size_t>(unsettled - elements.data()));
   for (const std::size_t i : patch.elements)
-    if (elements[i].attempts > 0) by_own_view.push_back(elements[i].linear);
+    if (elements[i].attempts > 0) by_own_view.push_back(i);
   std::sort(by_own_view.begin(), by_own_view.end());
 
   std::vector<Rated> rated;
-  for (const View& view : own)
-    if (std::binary_search(by_own_view.begin(), by_own_view.end(), view.element))
-      rated.push_back({Rate(1, view.p_W, p_W), view});
+  for (const View& view : own_views(by_own_view)) rated.push_back({Rate(1, view.p_W, p_W), view});
 
   const std::vector<Alike> nearby =
       GroupAlike(map.grid(), elements, Around(patch, elements, lattice, window));

@@ -81,12 +81,14 @@ Decision Decide(std::uint64_t seed, const Share& share) {
   const auto skip = [&](std::uint32_t v) { return v % share.of >= share.kept; };
   {  // a planner has decided before: what it makes once is made
     ElementMemory none(world.map.grid(), 10);
-    MakeCandidates(world.map, ListElements(world.map, surface, skip), generator, true, p_W, {300, 40}, none);
+    SearchBudget budget{300, 40};
+    MakeCandidates(world.map, ListElements(world.map, surface, skip), generator, true, p_W, budget, none);
   }
   const double t0 = NowMs();
   const std::vector<Element> elements = ListElements(world.map, surface, skip);
   const double t1 = NowMs();
-  const Candidates candidates = MakeCandidates(world.map, elements, generator, true, p_W, {300, 40}, memory);
+  SearchBudget budget{300, 40};
+  const Candidates candidates = MakeCandidates(world.map, elements, generator, true, p_W, budget, memory);
   const double t2 = NowMs();
   const std::vector<Eigen::Vector3d> others_W{{5, 20, 3}, {20, 18, 5}};
   const std::vector<double> navigation = NavigationScores(candidates.views, p_W, v_W, 0.25);

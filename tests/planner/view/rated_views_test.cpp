@@ -21,7 +21,15 @@ class RatedViewsTest : public ::testing::Test {
     patches = PatchesOf(elements);
   }
   std::vector<View> Views(const Patch& patch, const std::vector<View>& own = {}) const {
-    return RatedViews(world.map, window, elements, patch, own, allowed, p_W);
+    const auto own_views = [&](const std::vector<std::size_t>& which) {
+      std::vector<View> views;
+      for (const View& view : own)
+        if (std::any_of(which.begin(), which.end(),
+                        [&](std::size_t i) { return elements[i].linear == view.element; }))
+          views.push_back(view);
+      return views;
+    };
+    return RatedViews(world.map, window, elements, patch, own_views, allowed, p_W);
   }
   int Settled(const Patch& patch, const Eigen::Vector3d& view_W) const {
     return static_cast<int>(std::count_if(patch.elements.begin(), patch.elements.end(), [&](std::size_t i) {
