@@ -84,7 +84,7 @@ void TrajectorySmootherModule::HearAll() {
               if (uav != uav_) executive_.HearTeammate(uav, trajectory);
             });
   HearNouns(bus_, channels::kLidarScan, kEveryUav, *scans_,
-            [this](int, const LidarScan& scan, Utime) { executive_.HearScan(scan); });
+            [this](int, LidarScan scan, Utime) { executive_.HearScan(std::move(scan)); });
   HearNouns(bus_, channels::kPath, kEveryUav, *paths_,
             [this](int, const Path& path, Utime) { executive_.HearPath(path); });
 }

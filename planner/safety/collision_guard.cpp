@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "planner/trajectory/brake.h"
 
@@ -19,21 +20,9 @@ constexpr Utime kStale = 500'000;  ///< an older scan says nothing about now
 constexpr double kMapError_m = 0.2;
 constexpr double kNearing_m = 0.05;
 constexpr double kMoving_mps = 0.1;
+constexpr float kSlack_m = 0.01f;  ///< far above the rounding of floats
 constexpr double kTeammateSize_m =
     0.3;  ///< hits this far beyond the radius around a teammate are the teammate
-
-/// The i of [0, count) that is(i) says of. Listed without a branch: no processor could foresee it.
-template <class Is>
-std::vector<std::uint32_t> Where(std::size_t count, const Is& is) {
-  std::vector<std::uint32_t> where(count);
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    where[found] = static_cast<std::uint32_t>(i);
-    found += is(i);
-  }
-  where.resize(found);
-  return where;
-}
 
 }  // namespace
 
@@ -41,28 +30,56 @@ double CollisionGuard::BoxLength(double speed_mps) const {
   return limits_.radius_m + speed_mps * kReaction_s + StoppingDistance(speed_mps, limits_);
 }
 
-void CollisionGuard::HearScan(const LidarScan& scan) {
-  if (directions_.empty() || !(scan.model == model_)) {
-    model_ = scan.model;
-    directions_.clear();
-    for (int row = 0; row < model_.rows; ++row)
-      for (int col = 0; col < model_.cols; ++col)
-        directions_.push_back(model_.Direction(row, col).cast<float>());
+void CollisionGuard::HearScan(LidarScan scan) {
+  if (!scan_ || !(scan.model == scan_->model)) {
+    directions_S_ = {};
+    for (int row = 0; row < scan.model.rows; ++row)
+      for (int col = 0; col < scan.model.cols; ++col)
+        for (int axis = 0; axis < 3; ++axis)
+          directions_S_[axis].push_back(static_cast<float>(scan.model.Direction(row, col)[axis]));
   }
-  measured_ = scan.measured;
-  hits_W_.clear();
-  const double reach_m = BoxLength(limits_.speed_max_mps) + limits_.radius_m;
-  const Eigen::Matrix3d R_WS = scan.X_WS.q.toRotationMatrix();
-  const auto in_reach = Where(scan.ranges_m.size(), [&](std::size_t i) {
-    return (scan.ranges_m[i] > 0) & (scan.ranges_m[i] < reach_m);
-  });
-  for (const std::uint32_t i : in_reach)
-    hits_W_.push_back(R_WS * (scan.ranges_m[i] * directions_[i]).cast<double>() + scan.X_WS.p);
+  scan_ = std::move(scan);
+}
+
+std::vector<std::size_t> CollisionGuard::BeamsInto(const Box& box) const {
+  const Pose X_SW = scan_->X_WS.Inverse();
+  const Eigen::Vector3f from = (X_SW * box.from_W).cast<float>(),
+                        ahead = (X_SW.q * box.ahead_W).cast<float>();
+  const auto reach = static_cast<float>(BoxLength(limits_.speed_max_mps) + limits_.radius_m);
+  const auto length = static_cast<float>(box.length_m), radius = static_cast<float>(box.radius_m) + kSlack_m;
+  std::vector<std::uint8_t> into(scan_->ranges_m.size());
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    const float range = scan_->ranges_m[i];
+    const float x = range * directions_S_[0][i] - from.x(), y = range * directions_S_[1][i] - from.y(),
+                z = range * directions_S_[2][i] - from.z();
+    const float along = x * ahead.x() + y * ahead.y() + z * ahead.z();
+    const float beside_sq = x * x + y * y + z * z - along * along;
+    into[i] = (range > 0) & (range < reach) & (along > -kSlack_m) & (along < length + kSlack_m) &
+              (beside_sq < radius * radius);
+  }
+  std::vector<std::size_t> beams;
+  for (auto at = into.begin(); (at = std::find(at, into.end(), 1)) != into.end(); ++at)
+    beams.push_back(static_cast<std::size_t>(at - into.begin()));
+  return beams;
+}
+
+std::vector<Eigen::Vector3d> CollisionGuard::HitsIn(const Box& box) const {
+  const Eigen::Matrix3d R_WS = scan_->X_WS.q.toRotationMatrix();
+  std::vector<Eigen::Vector3d> hits_W;
+  for (const std::size_t i : BeamsInto(box)) {
+    const Eigen::Vector3f direction_S(directions_S_[0][i], directions_S_[1][i], directions_S_[2][i]);
+    const Eigen::Vector3d hit_W = R_WS * (scan_->ranges_m[i] * direction_S).cast<double>() + scan_->X_WS.p;
+    const Eigen::Vector3d offset = hit_W - box.from_W;
+    const double along = offset.dot(box.ahead_W);
+    if (along >= 0 && along <= box.length_m && (offset - along * box.ahead_W).norm() <= box.radius_m)
+      hits_W.push_back(hit_W);
+  }
+  return hits_W;
 }
 
 std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime now, const FlightScene& scene,
                                              double horizon_s) const {
-  if (measured_ < 0 || now - measured_ > kStale) return std::nullopt;
+  if (!scan_ || now - scan_->measured > kStale) return std::nullopt;
   const TrajectoryPoint here = committed.At(now);
   horizon_s = std::max(horizon_s, here.v_W.norm() / limits_.acceleration_max_mps2 + kHorizonSpare_s);
   std::vector<Eigen::Vector3d> way_W;
@@ -75,23 +92,17 @@ std::optional<Utime> CollisionGuard::FindHit(const Trajectory& committed, Utime 
   const bool moves = here.v_W.norm() > kMoving_mps;
   const Eigen::Vector3d travel = moves ? here.v_W : Eigen::Vector3d(way_W.back() - way_W.front());
   if (speed < kMoving_mps || travel.norm() < kNearing_m) return std::nullopt;
-  const Eigen::Vector3d ahead = travel.normalized();
-  const double length = BoxLength(speed);
 
-  const auto in_reach = Where(hits_W_.size(), [&](std::size_t i) {
-    const double along = (hits_W_[i] - here.p_W).dot(ahead);
-    return (along >= 0) & (along <= length);
-  });
   std::optional<Utime> first;
-  for (const std::uint32_t i : in_reach) {
-    const Eigen::Vector3d &hit_W = hits_W_[i], offset = hit_W - here.p_W;
-    if ((offset - offset.dot(ahead) * ahead).norm() > limits_.radius_m) continue;
+  for (const Eigen::Vector3d& hit_W :
+       HitsIn({here.p_W, travel.normalized(), BoxLength(speed), limits_.radius_m})) {
     const bool is_teammate =
         std::any_of(scene.teammates.begin(), scene.teammates.end(), [&](const Teammate& other) {
-          return (other.trajectory.At(measured_).p_W - hit_W).norm() < limits_.radius_m + kTeammateSize_m;
+          return (other.trajectory.At(scan_->measured).p_W - hit_W).norm() <
+                 limits_.radius_m + kTeammateSize_m;
         });
     if (is_teammate) continue;
-    const double asked = std::min(limits_.radius_m - kMapError_m, offset.norm() - kNearing_m);
+    const double asked = std::min(limits_.radius_m - kMapError_m, (hit_W - here.p_W).norm() - kNearing_m);
     for (std::size_t k = 0; k < way_W.size(); ++k) {
       if ((way_W[k] - hit_W).norm() >= asked) continue;
       const Utime at = now + static_cast<Utime>(k) * kSample;

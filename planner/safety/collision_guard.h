@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,7 @@ class CollisionGuard {
  public:
   CollisionGuard(int uav, const VehicleLimits& limits) : uav_(uav), limits_(limits) {}
 
-  /// Keeps the hits of a scan, in the world frame, up to the longest box.
-  void HearScan(const LidarScan& scan);
+  void HearScan(LidarScan scan);
 
   GuardVerdict Check(const Trajectory& committed, Utime now, const FlightScene& scene) const;
 
@@ -44,12 +44,20 @@ class CollisionGuard {
   double BoxLength(double speed_mps) const;
 
  private:
+  /// What lies at most a radius beside a line from where a UAV is to where it goes.
+  struct Box {
+    Eigen::Vector3d from_W, ahead_W;  ///< the latter of unit length
+    double length_m, radius_m;
+  };
+  /// Beams of the newest scan that hit something in a box or a centimetre beside it, ascending.
+  std::vector<std::size_t> BeamsInto(const Box& box) const;
+  /// The hits in it [m].
+  std::vector<Eigen::Vector3d> HitsIn(const Box& box) const;
+
   int uav_;
   VehicleLimits limits_;
-  LidarModel model_;
-  std::vector<Eigen::Vector3f> directions_;  ///< of the model's beams
-  std::vector<Eigen::Vector3d> hits_W_;
-  Utime measured_ = -1;
+  std::optional<LidarScan> scan_;                   ///< the newest
+  std::array<std::vector<float>, 3> directions_S_;  ///< of its beams, by axis
 };
 
 }  // namespace citrine::planner

@@ -38,7 +38,7 @@ class FlightExecutive {
 
   void HearPath(const Path& path);        ///< the newest; an id that is known is ignored
   void HearState(const UavState& state);  ///< its own; the first at rest says where it hovers
-  void HearScan(const LidarScan& scan) { guard_.HearScan(scan); }
+  void HearScan(LidarScan scan) { guard_.HearScan(std::move(scan)); }
   void HearTeammate(int uav, const Trajectory& trajectory);  ///< its committed one
   void HearTeammate(int uav, const UavState& state);  ///< where it hovers, until its trajectory is known
 
