@@ -26,10 +26,11 @@ static_assert(std::endian::native == std::endian::little);  // as the ranges are
 /// Ranges in units of scale_m, and the marks as they are. @throws std::invalid_argument if one does not fit
 std::vector<std::int16_t> Units(const std::vector<float>& ranges_m, double scale_m) {
   std::vector<std::int16_t> all(ranges_m.size());
+  const double units_per_m = 1 / scale_m;
   std::int32_t least = 0, most = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const float range_m = ranges_m[i];
-    const double rounded = std::floor(range_m / scale_m + 0.5);
+    const double rounded = std::floor(range_m * units_per_m + 0.5);
     auto units = static_cast<std::int32_t>(std::min(std::max(kMisfit, rounded), kMaxUnits + 1.0));
     units = units == 0 ? 1 : units;  // a return never becomes none
     units = range_m == kNoReturn ? citrine_lcm::lidar_scan_t::NO_RETURN : units;
