@@ -52,7 +52,7 @@ void ElementMemory::Forget(std::size_t record) {
 }
 
 void ElementMemory::Update(const PlanningMap& map, const ActiveSurface& surface) {
-  if (surface.last_discovery() > spread_) SpreadDiscoveries(surface);
+  if (unreachable_ > 0 && surface.last_discovery() > spread_) SpreadDiscoveries(surface);
   for (std::size_t i = records_.size(); i-- > 0;) {
     Record& record = records_[i];
     const std::uint32_t linear = record.linear;
