@@ -56,8 +56,9 @@ void TsdfIntegrator::FindCandidates(const ScanView& view) {
     for (int y = first.y(); y <= last.y(); y += 2)
       for (int x = first.x(); x <= last.x(); x += 2) lowest.emplace_back(x, y, z);
   std::vector<EightCubes> eights(lowest.size());
-  for (std::size_t i = 0; i < lowest.size(); ++i)
+  ParallelForEach(lowest.size(), parts_, [&](std::size_t i) {
     eights[i] = view.CubesFrom(view.InSensor(grid.Centre(kBlockSide * lowest[i])), 3);
+  });
   for (std::size_t i = 0; i < lowest.size(); ++i)
     for (int seen = eights[i].sight.seen; seen != 0; seen &= seen - 1) {
       const int number = __builtin_ctz(static_cast<unsigned>(seen));

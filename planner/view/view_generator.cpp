@@ -178,6 +178,7 @@ const std::vector<ViewGenerator::LatticePose>& ViewGenerator::LatticeAround(cons
   for (off.z() = -reach - phase.z(); off.z() <= reach; off.z() += stride_)
     for (off.y() = -reach - phase.y(); off.y() <= reach; off.y() += stride_)
       for (off.x() = -reach - phase.x(); off.x() <= reach; off.x() += stride_) {
+        if (off.squaredNorm() > reach * reach) continue;
         const Eigen::Vector3d to = (-off).cast<double>() * voxel_m;
         if (window_.Sees(to))
           poses.push_back(
