@@ -161,7 +161,7 @@ struct PlannerSection {
   double path_margin_m = 0.1;
   std::string candidates = "patch";
   double hop_min_m = 2.5;
-  double strays_m = 3;
+  double strays_m = 4;
 
   template <class V>
   void Visit(V& v) {
@@ -205,9 +205,9 @@ struct PlannerSection {
           "the UAV nibble at the edge of what it sees; 0 is the paper's letter",
           "m", 0, 20});
     v("strays_m", strays_m,
-      Key{"under best_view: low-quality elements that, in three metres, are no more voxels than a row this "
-          "long has are "
-          "seen in passing only; 0 is the paper's letter",
+      Key{"a row of voxels as long as this is too few to fly to: low-quality elements that stand in no "
+          "larger "
+          "company within three metres are seen in passing only (under best_view); 0 is the paper's letter",
           "m", 0, 20});
   }
 };
