@@ -17,7 +17,7 @@ endif()
 add_library(citrine_rules INTERFACE)
 target_include_directories(citrine_rules INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(citrine_rules INTERFACE
-  -march=x86-64-v3 -ffp-contract=off -fno-math-errno -fno-trapping-math  # bits stay, loops become vectors
+  -march=x86-64-v3 -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wshadow -Wno-sign-conversion -Werror
   -fpch-preprocess  # ccache asks for it
   # GCC 12 sees these in "literal" + std::string, where there are none (GCC bug 105651)

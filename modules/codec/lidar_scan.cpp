@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFinestScale_m = 1e-3;  // well below the sensor's noise, and 32 m fit into an int16
 constexpr int kLargestModel = 1 << 22;   // beams; a larger product of rows and columns is no sensor's
-constexpr double kMisfit = -2;           // for what is below any range or mark, or not a number
+constexpr std::int32_t kMisfit = -2;     // for what is below any range or mark, or not a number
 constexpr auto kMaxUnits = std::numeric_limits<std::int16_t>::max();
 static_assert(std::endian::native == std::endian::little);  // as the ranges are on the wire
 
@@ -30,9 +30,10 @@ std::vector<std::int16_t> Units(const std::vector<float>& ranges_m, double scale
   std::int32_t least = 0, most = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const float range_m = ranges_m[i];
-    const double rounded = std::floor(range_m * units_per_m + 0.5);
-    auto units = static_cast<std::int32_t>(std::min(std::max(kMisfit, rounded), kMaxUnits + 1.0));
+    const double halves_up = range_m * units_per_m + 0.5;  // what is cut off then, is rounded
+    auto units = static_cast<std::int32_t>(std::min(std::max(0.0, halves_up), kMaxUnits + 1.0));
     units = units == 0 ? 1 : units;  // a return never becomes none
+    units = range_m >= 0 ? units : kMisfit;
     units = range_m == kNoReturn ? citrine_lcm::lidar_scan_t::NO_RETURN : units;
     units = range_m == kInvalid ? citrine_lcm::lidar_scan_t::INVALID : units;
     least = std::min(least, units);
@@ -51,8 +52,8 @@ std::vector<float> Ranges_m(const std::vector<std::uint8_t>& bytes, double scale
     std::int16_t units;
     std::memcpy(&units, &bytes[2 * i], sizeof units);
     least = std::min(least, units);
-    ranges_m[i] =
-        units == citrine_lcm::lidar_scan_t::INVALID ? kInvalid : static_cast<float>(units * scale_m);
+    const auto range_m = static_cast<float>(units * scale_m);
+    ranges_m[i] = range_m < 0 ? kInvalid : range_m;
   }
   Require(least >= citrine_lcm::lidar_scan_t::INVALID, "lidar_scan_t: a negative range");
   return ranges_m;
