@@ -90,6 +90,20 @@ TEST(PlanningMap, TakesOnlyNewerVersionsOfABlock) {
   EXPECT_FALSE(map.Update());
 }
 
+TEST(PlanningMap, DoesOnceWhatIsToBeDoneMeanwhileAndOnlyIfSomethingChanged) {
+  PlanningMap map(Grid(), Codes());
+  Random random(5);
+  map.Apply(RandomBlock(map.grid(), random, 1));
+  std::array<int, 3> calls{};
+  const auto call = [&](std::size_t i) {
+    return [&, i] { calls[i] += map.revision() == 1 && !map.changed_blocks().empty(); };
+  };
+  const std::vector<std::function<void()>> meanwhile{call(0), call(1), call(2)};
+  EXPECT_TRUE(map.Update(meanwhile));
+  EXPECT_FALSE(map.Update(meanwhile));
+  EXPECT_EQ(calls, (std::array{1, 1, 1}));
+}
+
 TEST(PlanningMap, RefusesABlockThatTheGridDoesNotHave) {
   PlanningMap map(Grid(), Codes());
   MapBlock block;

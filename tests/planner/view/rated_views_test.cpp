@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "core/trajectory/path.h"
 #include "planner/view/well_seen.h"
 #include "tests/support/random_map.h"
 
@@ -93,6 +94,32 @@ TEST_F(RatedViewsTest, NoPoseOfTheLatticeSettlesFarMoreForTheWay) {
     if (++patches_tried == 4) break;
   }
   EXPECT_GE(patches_tried, 2);
+}
+
+TEST_F(RatedViewsTest, OwnViewsAreAskedForOnlyWhereNoPoseSettles) {
+  const Eigen::Vector3d first_W = world.map.grid().Centre(world.map.grid().inside_min());
+  const auto is_settled = [&](const Element& e) {
+    for (double x = first_W.x(); x < 16; x += 1)
+      for (double y = first_W.y(); y < 12; y += 1)
+        for (double z = first_W.z(); z < 8; z += 0.5) {
+          const Eigen::Vector3d pose_W(x, y, z);
+          const bool near = (pose_W - e.p_W).norm() <= e.d_star_m - kReached_m;
+          if (near && allowed(pose_W) && WellSeen(world.map, e, window, pose_W)) return true;
+        }
+    return false;
+  };
+  std::size_t asked = 0, all = 0;
+  for (const Patch& patch : patches) {
+    const auto own_views = [&](const std::vector<std::size_t>& which) {
+      for (const std::size_t i : which) EXPECT_FALSE(is_settled(elements[i])) << i;
+      asked += which.size();
+      return std::vector<View>{};
+    };
+    RatedViews(world.map, window, elements, patch, own_views, allowed, p_W);
+    all += patch.elements.size();
+  }
+  EXPECT_GT(asked, 0u);
+  EXPECT_LT(asked, all);
 }
 
 TEST_F(RatedViewsTest, AnElementThatALookFailedToSettleIsLookedAtFromItsOwnView) {
