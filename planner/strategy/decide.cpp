@@ -100,6 +100,7 @@ ViewPlanner::Prospect ViewPlanner::LookAround(const Start& start, Utime now) {
 
   SearchBudget budget{goal_ ? kFans : kFansIdle, goal_ ? kLattices : kLatticesIdle};
   if (!TakeRatedViews(prospect, start.p_W, budget, now)) {
+    prospect.candidates = {};
     prospect.views = OwnViewsOf(prospect.elements, prospect, start.p_W, budget, now);
     LeaveNearOnes(prospect.views, start.p_W, config_.planner.hop_min_m);
   }
