@@ -24,10 +24,7 @@ planner::FlightSettings SettingsOf(const MissionConfig& config, int uav) {
   settings.uav = uav;
   settings.limits = config.uav.limits;
   settings.path_margin_m = config.planner.path_margin_m;
-  settings.weights.time = config.smoother.weight_time;
-  settings.weights.clearance = config.smoother.weight_clearance;
-  settings.weights.teammates = config.smoother.weight_clearance;
-  settings.weights.limits = config.smoother.weight_limits;
+  settings.weights = planner::FlightWeights(config.smoother);
   settings.replan_ahead_s = config.smoother.replan_ahead_s;
   settings.guard_hz = config.smoother.guard_hz;
   return settings;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/config/mission_config.h"
 #include "core/map/planning_map.h"
 #include "core/vehicle/vehicle_limits.h"
 #include "planner/trajectory/flight_costs.h"
@@ -12,10 +13,17 @@ namespace citrine::planner {
 
 /// What flying badly costs, relative to a unit of jerk energy.
 struct FlightWeights {
-  double time = 2400;        ///< a second
-  double clearance = 40000;  ///< to occupied and to unknown, and to the volume's faces
-  double limits = 200000;    ///< of speed and acceleration
-  double teammates = 40000;
+  FlightWeights() : FlightWeights(SmootherSection()) {}
+  explicit FlightWeights(const SmootherSection& section)
+      : time(section.weight_time),
+        clearance(section.weight_clearance),
+        limits(section.weight_limits),
+        teammates(section.weight_clearance) {}
+
+  double time;       ///< a second
+  double clearance;  ///< to occupied and to unknown, and to the volume's faces
+  double limits;     ///< of speed and acceleration
+  double teammates;
 };
 
 /// What a motion has to respect. The map outlives it.

@@ -44,15 +44,6 @@ class TrajectorySmoother : public ::testing::Test, protected test::YardFlight<Tr
   std::shared_ptr<Inbox<citrine_lcm::flight_status_t>> statuses_ = peers.Hear(channels::kFlightStatus, 1);
 };
 
-TEST(SmootherSection, CostsWhatFlightCostsWhereNothingElseIsAskedFor) {
-  const SmootherSection section;
-  const planner::FlightWeights weights;
-  EXPECT_EQ(section.weight_time, weights.time);
-  EXPECT_EQ(section.weight_clearance, weights.clearance);
-  EXPECT_EQ(section.weight_clearance, weights.teammates);
-  EXPECT_EQ(section.weight_limits, weights.limits);
-}
-
 TEST_F(TrajectorySmoother, SaysNoTrajectoryBeforeItKnowsWhereItIs) {
   SayMap();
   SayState(2);
