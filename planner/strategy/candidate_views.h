@@ -21,7 +21,8 @@ struct SearchBudget {
 };
 
 /// A view for every element, or for every group of like elements (design, section 6). Elements for which
-/// neither the normal nor the fan nor the whole lattice yields a view are remembered as unreachable.
+/// neither the normal nor the fan nor the whole lattice yields a view are remembered as unreachable; what the
+/// memory skips is left out. @param budget  what is searched is taken off it
 Candidates MakeCandidates(const PlanningMap& map, const std::vector<Element>& elements,
                           const ViewGenerator& generator, bool per_cell, const Eigen::Vector3d& uav_W,
                           SearchBudget& budget, ElementMemory& memory);

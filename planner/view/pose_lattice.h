@@ -16,7 +16,8 @@ namespace citrine::planner {
 /// worth. Several threads may visit them.
 class PoseLattice {
  public:
-  /// @param part_W  [m]  @param allowed says always the same of a pose; outlives the lattice
+  /// @param part_W  where its poses lie [m]  @param allowed says always the same of a pose; outlives the
+  /// lattice
   PoseLattice(const VoxelGrid& grid, const Eigen::AlignedBox3d& part_W,
               const std::function<bool(const Eigen::Vector3d&)>& allowed);
 
