@@ -5,7 +5,9 @@
 
 namespace citrine {
 
-// Compiled with -ffast-math, for which the loop over both functions becomes one over their vector forms.
+// Compiled with -ffast-math, for which the loop over both functions becomes one over their vector forms. That
+// is why the formula of Normal() stands here again: a function shared with it could be linked as compiled
+// here.
 void Random::Normals(std::span<double> normals) {
   constexpr std::size_t kTogether = 64;
   std::array<double, kTogether> u, turn;
